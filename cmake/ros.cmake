@@ -1,0 +1,19 @@
+# catkin: messages, and what an installed package needs. Included by the top CMakeLists.txt when STILLMAP_WITH_ROS is on.
+
+# catkin snapshots PYTHONPATH for the tests from folders that must exist before it is found.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+
+find_package(catkin REQUIRED COMPONENTS
+  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
+  roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros)
+
+add_message_files(FILES Status.msg MapSnapshot.msg)
+add_service_files(DIRECTORY srv FILES SaveMap.srv)
+generate_messages(DEPENDENCIES std_msgs geometry_msgs sensor_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES stillmap_core
+  CATKIN_DEPENDS diagnostic_msgs diagnostic_updater geometry_msgs message_runtime nav_msgs nodelet pluginlib
+    rosbag_storage roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros
+  DEPENDS EIGEN3)

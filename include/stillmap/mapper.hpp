@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "stillmap/map_snapshot.hpp"
+#include "stillmap/parameters.hpp"
+#include "stillmap/types.hpp"
+
+namespace stillmap {
+
+/// The stages of process(), for whoever measures them.
+enum class Stage { kRangeImage, kInsertion, kEvidence, kReplay, kDecision, kObjects };
+inline constexpr int kStageCount = 6;
+const char* to_string(Stage stage);
+
+/// The core has no clock: a listener may keep one.
+class StageListener {
+ public:
+  virtual ~StageListener() = default;
+  virtual void stage_ended(Stage stage) = 0;  ///< in the order of Stage, once for each process()
+};
+
+/// The method: feed it scans, it labels their points and keeps the map. Not thread-safe: one caller at a
+/// time.
+class Mapper {
+ public:
+  /// Throws std::invalid_argument, naming each parameter that is out of range.
+  explicit Mapper(const Parameters& parameters);
+  ~Mapper();
+  Mapper(Mapper&&) noexcept;
+  Mapper& operator=(Mapper&&) noexcept;
+
+  /// Judges the points at the scan's own time and updates the map. T_map_sensor takes sensor points into the
+  /// map; its translation is the origin of the rays. Throws std::invalid_argument on a pose that is not
+  /// finite or not rigid; the map then is as it was. The result is valid until the next call.
+  const ScanLabels& process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+
+  /// Judges the points of an earlier scan by the map as it is now. `online` is what process() said then.
+  ScanLabels relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanLabels& online) const;
+
+  MapSnapshotPtr snapshot() const;
+  std::size_t voxel_count() const;
+  std::size_t scan_count() const;  ///< processed since the start or the last reset()
+  void reset();                    ///< forgets map, history and sensor geometry
+
+  const Parameters& parameters() const;
+  void set_listener(StageListener* listener);  ///< not owned; nullptr = none
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stillmap

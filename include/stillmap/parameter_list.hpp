@@ -1,0 +1,79 @@
+#pragma once
+
+// The one list of parameters; see parameters.hpp. Symbols are the paper's.
+
+#include "stillmap/parameters.hpp"
+
+namespace stillmap {
+
+template <class ParametersT, class Visitor>
+void visit_parameters(ParametersT& p, Visitor&& visit) {
+  const auto number = [&](const char* name, const char* unit, double min, double max, auto& value,
+                          const char* help) {
+    visit(ParameterInfo{name, unit, min, max, "", help}, value);
+  };
+  const auto choice = [&](const char* name, const char* options, auto& value, const char* help) {
+    visit(ParameterInfo{name, "", 0, 0, options, help}, value);
+  };
+  const auto flag = [&](const char* name, auto& value, const char* help) {
+    visit(ParameterInfo{name, "", 0, 1, "", help}, value);
+  };
+
+  number("min_range_m", "m", 0.0, 20.0, p.min_range_m, "nearer returns are the robot itself: not judged");
+  number("max_range_m", "m", 1.0, 500.0, p.max_range_m, "farther returns are not judged and not mapped");
+  number("voxel_size_m", "m", 0.02, 2.0, p.voxel_size_m, "edge of a voxel, the spatial element i");
+  number(
+      "angular_levels_deg", "deg", 0.0, 10.0, p.angular_levels_deg,
+      "pixel sizes of the range images, the levels r; 0 = the sensor's own beam spacing, bracketed between "
+      "neighbouring beams");
+  number("ring_spacing_deg", "deg", 0.0, 10.0, p.ring_spacing_deg,
+         "angle between rings; 0 = found from the scans");
+  number("azimuth_step_deg", "deg", 0.0, 10.0, p.azimuth_step_deg,
+         "angle between two returns of a ring; 0 = found from the scans");
+
+  choice(
+      "evidence_goes_to", "every_voxel|nearest_voxel", p.evidence_goes_to,
+      "who gets a pixel's evidence: every voxel compares its own range with I_O, or only the pixel's nearest "
+      "voxel, I_M");
+  flag("hit_is_support", p.hit_is_support,
+       "a voxel that this scan hits is supported whatever its pixel says");
+  number("support_threshold_m", "m", 0.01, 5.0, p.support_threshold_m_r,
+         "epsilon_r of support and occlusion");
+  number("conflict_base_m", "m", 0.01, 10.0, p.conflict_base_m_r, "tau_0,r of eq. (3)");
+  number("conflict_scale", "", 0.0, 1.0, p.conflict_scale_r, "alpha_r of eq. (3)");
+
+  choice("conflict_strength", "linear|sigmoid", p.conflict_strength, "the form of g, eq. (6)");
+  number("conflict_sigma_m", "m", 0.01, 20.0, p.conflict_sigma_m_r, "sigma_r of eq. (6)");
+  number("support_rate", "", 0.0, 10.0, p.support_rate_r, "eta_r of eq. (5), (7)");
+  number("conflict_rate", "", 0.0, 10.0, p.conflict_rate_r, "kappa_r of eq. (5); more than eta_r");
+  number("support_rate_when_dynamic", "", 0.0, 10.0, p.support_rate_when_dynamic,
+         "eta while L < 0: what was seen through must not creep back");
+  number("increment_clip", "", 0.01, 20.0, p.increment_clip, "largest |dL| of one scan, section 1.2.2 (2)");
+  number("log_odds_min", "", -50.0, -0.1, p.log_odds_min, "lower bound of L");
+  number("log_odds_max", "", 0.1, 50.0, p.log_odds_max, "upper bound of L");
+  number("forgetting", "", 0.0, 0.5, p.forgetting, "lambda of eq. (8), for each observation");
+
+  number("p_static_min", "", 0.5, 1.0, p.p_static_min, "tau_sta of eq. (9)");
+  number("p_dynamic_max", "", 0.0, 0.5, p.p_dynamic_max, "tau_dyn of eq. (9)");
+
+  number("history_recent", "scans", 0, 100, p.history_recent, "newest scans kept to judge new voxels");
+  number("history_spread", "scans", 0, 100, p.history_spread, "older scans kept, chosen by place");
+  number("replay_support_min_age", "scans", 1, 100, p.replay_support_min_age,
+         "support for a new voxel counts only from scans at least this old");
+
+  flag("resolve_objects", p.resolve_objects,
+       "an object with a clear majority, or a known surface, decides its undecided points");
+
+  number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
+         "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");
+  number("gate_neighbourhood_support", "points", 0, 100000, p.gate_neighbourhood_support,
+         "or where its 3x3x3 neighbourhood holds fewer points; 0 = off");
+  number("gate_grid_support", "points", 0, 100000, p.gate_grid_support,
+         "and its vertical grid column holds fewer points; 0 = off");
+  number("gate_height_above_ground_m", "m", 0.0, 10.0, p.gate_height_above_ground_m,
+         "and it lies higher above the local ground; 0 = off");
+
+  number("threads", "", 1, 64, p.threads, "worker threads; the labels do not depend on it");
+}
+
+}  // namespace stillmap

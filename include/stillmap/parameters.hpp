@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stillmap {
+
+/// What a parameter is, beside its value; `unit` is empty for pure numbers.
+struct ParameterInfo {
+  const char* name;
+  const char* unit;
+  double min;           ///< smallest value (numbers, and each element of a list)
+  double max;           ///< largest value
+  const char* options;  ///< "a|b|c" for a choice, else empty
+  const char* help;     ///< meaning, with the paper's symbol
+};
+
+/// Every parameter of the method. Names, units, ranges and meanings stand once, in visit_parameters().
+/// A `_r` list holds one value for all angular levels, or one for each.
+struct Parameters {
+  // What a scan may say.
+  double min_range_m = 0.7;
+  double max_range_m = 100.0;
+  double voxel_size_m = 0.1;
+  std::vector<double> angular_levels_deg = {0.0};
+  double ring_spacing_deg = 0.0;
+  double azimuth_step_deg = 0.0;
+
+  // Evidence, eq. (2), (3).
+  std::string evidence_goes_to = "every_voxel";
+  bool hit_is_support = true;
+  std::vector<double> support_threshold_m_r = {0.15};
+  std::vector<double> conflict_base_m_r = {0.2};
+  std::vector<double> conflict_scale_r = {0.01};
+
+  // Recursion, eq. (4) to (8).
+  std::string conflict_strength = "linear";
+  std::vector<double> conflict_sigma_m_r = {0.5};
+  std::vector<double> support_rate_r = {0.8};
+  std::vector<double> conflict_rate_r = {1.2};
+  double support_rate_when_dynamic = 0.1;
+  double increment_clip = 1.5;
+  double log_odds_min = -4.0;
+  double log_odds_max = 4.0;
+  double forgetting = 0.002;
+
+  // Decision, eq. (9).
+  double p_static_min = 0.7;
+  double p_dynamic_max = 0.3;
+
+  // Replay of earlier scans for new voxels.
+  int history_recent = 10;
+  int history_spread = 10;
+  int replay_support_min_age = 3;
+
+  // Objects and surfaces.
+  bool resolve_objects = true;
+
+  // The experiment's structure gates (section 2.1); 0 switches a gate off.
+  int gate_voxel_support = 0;
+  int gate_neighbourhood_support = 0;
+  int gate_grid_support = 0;
+  double gate_height_above_ground_m = 0.0;
+
+  int threads = 1;
+};
+
+/// Calls visit(ParameterInfo, value) for each parameter, in reading order. `value` is a reference to double,
+/// int, bool, std::string or std::vector<double>; YAML, the ROS parameter server, the reference table and the
+/// tests walk this list.
+template <class ParametersT, class Visitor>
+void visit_parameters(ParametersT& p, Visitor&& visit);
+
+/// The named preset: "default", or "paper" (the literal reading of the paper). Throws std::invalid_argument.
+Parameters preset(const std::string& name);
+
+/// One line for each value out of its range or option list, naming it, what was seen and what is allowed.
+std::vector<std::string> problems(const Parameters& parameters);
+
+}  // namespace stillmap
+
+#include "stillmap/parameter_list.hpp"
