@@ -7,9 +7,9 @@ find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
   roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros)
 
-add_message_files(FILES Status.msg MapSnapshot.msg)
+add_message_files(FILES LabelledMap.msg Status.msg)
 add_service_files(DIRECTORY srv FILES SaveMap.srv)
-generate_messages(DEPENDENCIES std_msgs geometry_msgs sensor_msgs)
+generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
