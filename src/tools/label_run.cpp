@@ -1,0 +1,106 @@
+#include "tools/label_run.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "io/map_file.hpp"
+#include "stillmap/mapper.hpp"
+#include "tools/label_store.hpp"
+#include "tools/progress_bar.hpp"
+#include "tools/run_summary.hpp"
+
+namespace stillmap {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::size_t> chosen_scans(std::size_t size, const LabelJob& job) {
+  std::vector<std::size_t> indices;
+  for (std::size_t k = job.from; k < size && (job.scans == 0 || indices.size() < job.scans); k += job.stride)
+    indices.push_back(k);
+  if (indices.empty())
+    throw std::runtime_error("--from " + std::to_string(job.from) + ": the sequence has only " +
+                             std::to_string(size) + " scans");
+  return indices;
+}
+
+/// Empties OUT of an earlier run's results, so that what lies there is of one run.
+void prepare_folder(const fs::path& folder) {
+  fs::create_directories(folder);
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".label") old.push_back(entry.path());
+  for (const fs::path& file : old) fs::remove(file);
+}
+
+/// SemanticKITTI's moving-object classes.
+std::uint32_t class_of(Label label) {
+  if (label == Label::kStatic) return 9;
+  return label == Label::kDynamic ? 251 : 0;
+}
+
+void write_labels(const fs::path& file, const std::vector<Label>& labels) {
+  std::vector<std::uint32_t> classes(labels.size());
+  std::transform(labels.begin(), labels.end(), classes.begin(), class_of);
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(classes.data()),
+               static_cast<std::streamsize>(classes.size() * sizeof(std::uint32_t)));
+  if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written; is the disk full?");
+}
+
+ScanLabels process(Mapper& mapper, const Frame& frame, EngineClock& clock) {
+  try {
+    clock.start_scan();
+    const ScanLabels& labels = mapper.process(frame.scan, frame.T_map_sensor);
+    clock.end_scan();
+    return labels;
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error("scan " + frame.name + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+void label_sequence(Sequence& sequence, const Parameters& parameters, const LabelJob& job) {
+  const std::vector<std::size_t> indices = chosen_scans(sequence.size(), job);
+  const fs::path out(job.out);
+  prepare_folder(out / "online");
+  prepare_folder(out / "final");
+  fs::remove(out / "summary.json");
+
+  Mapper mapper(parameters);
+  EngineClock clock;
+  mapper.set_listener(&clock);
+  RunSummary summary;
+  LabelStore store(job.out);
+
+  ProgressBar online_bar("labelling", indices.size());
+  for (const std::size_t index : indices) {
+    const Frame frame = sequence.read(index);
+    const ScanLabels labels = process(mapper, frame, clock);
+    write_labels(out / "online" / (frame.name + ".label"), labels.label);
+    summary.online.add(labels);
+    if (job.final_labels) store.append(labels);
+    online_bar.advance();
+  }
+
+  if (job.final_labels) {
+    ProgressBar final_bar("by the final map", indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      const Frame frame = sequence.read(indices[k]);
+      const ScanLabels labels = mapper.relabel(frame.scan, frame.T_map_sensor, store.read(k));
+      write_labels(out / "final" / (frame.name + ".label"), labels.label);
+      summary.final.add(labels);
+      final_bar.advance();
+    }
+  }
+
+  save_map(*mapper.snapshot(), (out / "static_map.pcd").string());
+  summary.voxels = mapper.voxel_count();
+  write_summary((out / "summary.json").string(), summary, clock, parameters);
+}
+
+}  // namespace stillmap

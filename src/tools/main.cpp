@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "tools/label_command.hpp"
+#include "tools/parameters_command.hpp"
+#include "tools/simulate_command.hpp"
+#include "tools/version.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{"Takes moving things out of LiDAR scans."};
+  app.set_version_flag("--version",
+                       std::string("stillmap ") + stillmap::kVersion + " (" + stillmap::kGitRevision + ")");
+  app.require_subcommand(1);
+  stillmap::add_label_command(app);
+  stillmap::add_simulate_command(app);
+  stillmap::add_parameters_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Error& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "stillmap: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
