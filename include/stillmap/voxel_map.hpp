@@ -1,0 +1,116 @@
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "stillmap/voxel_key.hpp"
+
+namespace stillmap {
+
+/// A spatial element i. 8 bytes; a voxel that is not there was never hit.
+struct Voxel {
+  std::int16_t log_odds_fixed = 0;  ///< L of eq. (1), in steps of 1 / kLogOddsScale
+  std::uint8_t hits = 0;            ///< scans that returned from it, saturating
+  std::uint8_t conflicts = 0;       ///< scans that saw through it since it was last hit, saturating
+  std::uint8_t idle = 0;  ///< scans since it was last hit, saturating; brought up to date by a block's visit
+  std::uint8_t first_seen = 0;  ///< scans since its birth, saturating; as above
+  std::uint8_t flags = 0;
+  std::uint8_t points = 0;  ///< returns from it in all, saturating
+
+  static constexpr float kLogOddsScale = 2048.0F;
+  float log_odds() const { return log_odds_fixed / kLogOddsScale; }
+  void set_log_odds(float value) {
+    log_odds_fixed = static_cast<std::int16_t>(value * kLogOddsScale + (value < 0 ? -0.5F : 0.5F));
+  }
+};
+static_assert(sizeof(Voxel) == 8);
+
+/// 8 x 8 x 8 voxels, of which only those ever hit are stored, by ascending place.
+class VoxelBlock {
+ public:
+  explicit VoxelBlock(const BlockKey& key) : key_(key) {}
+
+  const BlockKey& key() const { return key_; }
+  bool contains(int place) const { return occupied_[place >> 6] >> (place & 63) & 1; }
+  /// Index of the voxel at `place` among the stored ones; it must be contained.
+  int rank(int place) const {
+    const std::uint64_t below = occupied_[place >> 6] & ((std::uint64_t{1} << (place & 63)) - 1);
+    return before_[place >> 6] + __builtin_popcountll(below);
+  }
+  Voxel& at(int place) { return voxels_[rank(place)]; }
+  const Voxel& at(int place) const { return voxels_[rank(place)]; }
+  /// The voxel at `place`, made if it is not there; `created` says which.
+  Voxel& find_or_create(int place, bool& created);
+
+  std::size_t size() const { return voxels_.size(); }
+  /// Calls visit(place, voxel) by ascending place.
+  template <class Visitor>
+  void for_each(Visitor&& visit) {
+    for_each_of(*this, visit);
+  }
+  template <class Visitor>
+  void for_each(Visitor&& visit) const {
+    for_each_of(*this, visit);
+  }
+
+  std::uint32_t last_visit = 0;  ///< scan that last brought `idle` and `first_seen` up to date
+  std::uint32_t last_hit = 0;    ///< scan that last hit a voxel of it
+
+ private:
+  template <class BlockT, class Visitor>
+  static void for_each_of(BlockT& block, Visitor&& visit) {
+    auto* voxel = block.voxels_.data();
+    for (int word = 0; word < kWords; ++word)
+      for (std::uint64_t bits = block.occupied_[word]; bits != 0; bits &= bits - 1)
+        visit(word * 64 + __builtin_ctzll(bits), *voxel++);
+  }
+
+  static constexpr int kWords = kBlockVolume / 64;
+  BlockKey key_;
+  std::array<std::uint64_t, kWords> occupied_{};
+  std::array<std::uint16_t, kWords> before_{};  ///< stored voxels in the words before
+  std::vector<Voxel> voxels_;
+};
+
+/// Sparse hashed voxels in blocks. Blocks keep their index and address for the map's life.
+class VoxelMap {
+ public:
+  explicit VoxelMap(double voxel_size_m) : voxel_size_m_(voxel_size_m), inverse_(1.0 / voxel_size_m) {}
+
+  double voxel_size_m() const { return voxel_size_m_; }
+  double inverse_voxel_size() const { return inverse_; }
+  double block_size_m() const { return voxel_size_m_ * kBlockEdge; }
+
+  VoxelKey key_of(const Eigen::Vector3d& point_map_m) const { return voxel_key(point_map_m, inverse_); }
+  Eigen::Vector3d center_of(const VoxelKey& key) const {
+    return (key.cast<double>().array() + 0.5) * voxel_size_m_;
+  }
+
+  /// Index of the block, or -1.
+  std::int64_t find_block(const BlockKey& key) const {
+    const auto it = index_.find(packed(key));
+    return it == index_.end() ? -1 : it->second;
+  }
+  std::uint32_t find_or_create_block(const BlockKey& key);
+  const Voxel* find(const VoxelKey& key) const {
+    const std::int64_t block = find_block(block_key(key));
+    if (block < 0 || !blocks_[block].contains(place_in_block(key))) return nullptr;
+    return &blocks_[block].at(place_in_block(key));
+  }
+
+  std::size_t block_count() const { return blocks_.size(); }
+  VoxelBlock& block(std::uint32_t index) { return blocks_[index]; }
+  const VoxelBlock& block(std::uint32_t index) const { return blocks_[index]; }
+  std::size_t voxel_count() const;
+
+ private:
+  double voxel_size_m_, inverse_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> index_;
+  std::deque<VoxelBlock> blocks_;
+};
+
+}  // namespace stillmap

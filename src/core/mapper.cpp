@@ -1,0 +1,156 @@
+#include "stillmap/mapper.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "mapper_state.hpp"
+
+namespace stillmap {
+namespace {
+
+constexpr float kRad = 0.01745329252F;
+
+Recursion recursion_of(const Parameters& p) {
+  return {static_cast<float>(p.increment_clip), static_cast<float>(p.forgetting),
+          static_cast<float>(p.log_odds_min), static_cast<float>(p.log_odds_max)};
+}
+
+SensorGeometry given_geometry(const Parameters& p) {
+  return {static_cast<float>(p.ring_spacing_deg) * kRad, static_cast<float>(p.azimuth_step_deg) * kRad};
+}
+
+void require_valid(const Parameters& parameters) {
+  const std::vector<std::string> found = problems(parameters);
+  if (found.empty()) return;
+  std::ostringstream text;
+  for (const std::string& problem : found) text << (text.tellp() > 0 ? "; " : "") << problem;
+  throw std::invalid_argument(text.str());
+}
+
+void require_rigid(const Eigen::Isometry3d& T_map_sensor) {
+  const Eigen::Matrix3d R = T_map_sensor.linear();
+  if (!T_map_sensor.matrix().allFinite())
+    throw std::invalid_argument("T_map_sensor: not finite; the scan is not used");
+  if (!(R * R.transpose()).isIdentity(1e-3) || R.determinant() < 0)
+    throw std::invalid_argument("T_map_sensor: its rotation is not a rotation matrix; the scan is not used");
+}
+
+}  // namespace
+
+Mapper::State::State(const Parameters& p)
+    : parameters((require_valid(p), p)),
+      models(level_models(p)),
+      recursion(recursion_of(p)),
+      decision{static_cast<float>(p.p_static_min), static_cast<float>(p.p_dynamic_max)},
+      geometry(given_geometry(p)),
+      map(p.voxel_size_m),
+      history(p.history_recent, p.history_spread) {}
+
+Mapper::Mapper(const Parameters& parameters) : state_(std::make_unique<State>(parameters)) {}
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
+  require_rigid(T_map_sensor);
+  State& s = *state_;
+  ++s.scan_count;
+  s.stamp_ns = scan.stamp_ns;
+
+  ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
+  s.ended(Stage::kRangeImage);
+  s.insert(scan, T_map_sensor);
+  s.ended(Stage::kInsertion);
+  s.apply_evidence(view);  // eq. (2) to (8) for the voxels known before
+  s.ended(Stage::kEvidence);
+  s.replay_history(scan, T_map_sensor);  // the same for the new ones, with earlier scans
+  s.ended(Stage::kReplay);
+  s.decide();  // eq. (9)
+  s.ended(Stage::kDecision);
+  s.ended(Stage::kObjects);
+  s.history.add(std::move(view));
+  return s.labels;
+}
+
+ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
+  const auto max_range_m = static_cast<float>(parameters.max_range_m);
+  project(scan, static_cast<float>(parameters.min_range_m), max_range_m, projected);
+  const SensorGeometry beams = geometry.update(projected);
+  std::vector<RangeImage> levels;
+  for (const double level_deg : parameters.angular_levels_deg)
+    levels.push_back(level_deg > 0
+                         ? RangeImage::nearest(projected, static_cast<float>(level_deg) * kRad, max_range_m)
+                         : RangeImage::bracketed(projected, beams, max_range_m));
+  return ScanView(scan_count, T_map_sensor, std::move(levels));
+}
+
+void Mapper::State::decide() {
+  const std::size_t n = voxel_of_row.size();
+  labels.label.assign(n, Label::kInvalid);
+  labels.p_static.assign(n, 0.5F);
+  labels.reason.assign(n, Reason::kNoReturn);
+  for (std::size_t row = 0; row < n; ++row) {
+    if (!voxel_of_row[row].exists()) continue;
+    const Voxel& voxel = map.block(voxel_of_row[row].block).at(static_cast<int>(voxel_of_row[row].place));
+    labels.p_static[row] = p_from_log_odds(voxel.log_odds());
+    labels.label[row] = decision(labels.p_static[row]);
+    labels.reason[row] = labels.label[row] == Label::kStatic    ? Reason::kSupported
+                         : labels.label[row] == Label::kDynamic ? Reason::kSeenThrough
+                                                                : Reason::kMixedEvidence;
+  }
+}
+
+ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                           const ScanLabels& online) const {
+  const State& s = *state_;
+  ScanLabels settled = online;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    if (online.label[row] == Label::kInvalid) continue;
+    const Voxel* voxel = s.map.find(s.map.key_of(T_map_sensor * scan.points[row].cast<double>()));
+    if (voxel == nullptr) continue;
+    const float p_static = p_from_log_odds(voxel->log_odds());
+    const Label label = s.decision(p_static);
+    if (label == Label::kUncertain) continue;
+    settled.p_static[row] = p_static;
+    settled.label[row] = label;
+    settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThrough;
+  }
+  return settled;
+}
+
+MapSnapshotPtr Mapper::snapshot() const {
+  const State& s = *state_;
+  auto snapshot = std::make_shared<MapSnapshot>();
+  snapshot->stamp_ns = s.stamp_ns;
+  snapshot->voxel_size_m = s.map.voxel_size_m();
+  for (std::uint32_t index = 0; index < s.map.block_count(); ++index) {
+    const VoxelBlock& block = s.map.block(index);
+    block.for_each([&](int place, const Voxel& voxel) {
+      const Eigen::Vector3f center = s.map.center_of(voxel_key(block.key(), place)).cast<float>();
+      const float log_odds = voxel.log_odds();
+      snapshot->voxels.push_back({center, log_odds, s.decision(p_from_log_odds(log_odds))});
+    });
+  }
+  return snapshot;
+}
+
+std::size_t Mapper::voxel_count() const {
+  return state_->map.voxel_count();
+}
+std::size_t Mapper::scan_count() const {
+  return state_->scan_count;
+}
+const Parameters& Mapper::parameters() const {
+  return state_->parameters;
+}
+void Mapper::set_listener(StageListener* listener) {
+  state_->listener = listener;
+}
+
+void Mapper::reset() {
+  StageListener* listener = state_->listener;
+  state_ = std::make_unique<State>(Parameters(state_->parameters));
+  state_->listener = listener;
+}
+
+}  // namespace stillmap

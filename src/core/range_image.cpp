@@ -1,0 +1,134 @@
+#include "stillmap/range_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillmap {
+namespace {
+
+constexpr float kRad = 0.01745329252F;
+constexpr float kTwoPi = 6.28318530717959F;
+constexpr float kSteps = 65000.0F;
+
+using Plane = std::vector<std::uint16_t>;
+
+/// Nearest (none = 65535) and farthest (none = 0) return of each pixel.
+struct SpanPlanes {
+  Plane nearest, farthest;
+};
+
+SpanPlanes span_planes(const ProjectedScan& scan, const SphericalGrid& grid, float step_m) {
+  SpanPlanes planes{Plane(grid.size(), 0xFFFF), Plane(grid.size(), 0)};
+  const float inverse_step = 1.0F / step_m;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (!(scan.range_m[i] > 0)) continue;
+    const int pixel = grid.pixel(scan.azimuth_rad[i], scan.elevation_rad[i]);
+    if (pixel < 0) continue;
+    const auto range = static_cast<std::uint16_t>(std::max(1.0F, scan.range_m[i] * inverse_step + 0.5F));
+    planes.nearest[pixel] = std::min(planes.nearest[pixel], range);
+    planes.farthest[pixel] = std::max(planes.farthest[pixel], range);
+  }
+  return planes;
+}
+
+/// Each column also sees its two neighbours; columns wrap around.
+SpanPlanes widened_by_a_column(const SpanPlanes& planes, const SphericalGrid& grid) {
+  SpanPlanes wide{Plane(grid.size()), Plane(grid.size())};
+  const int rows = grid.rows;
+  for (int c = 0; c < grid.columns; ++c) {
+    const int left = (c + grid.columns - 1) % grid.columns * rows, here = c * rows;
+    const int right = (c + 1) % grid.columns * rows;
+    for (int r = 0; r < rows; ++r) {
+      wide.nearest[here + r] =
+          std::min({planes.nearest[left + r], planes.nearest[here + r], planes.nearest[right + r]});
+      wide.farthest[here + r] =
+          std::max({planes.farthest[left + r], planes.farthest[here + r], planes.farthest[right + r]});
+    }
+  }
+  return wide;
+}
+
+/// The beams around each row of one column: the rows within `reach` of it, and the nearest row with a return
+/// strictly below and strictly above, at most `gap` rows away. A row that served as both sides would see
+/// through the ground between two rings.
+class ColumnBracket {
+ public:
+  ColumnBracket(int rows, int reach, int gap) : reach_(reach), gap_(gap), below_(rows), above_(rows) {}
+
+  template <class Emit>
+  void run(const std::uint16_t* nearest, const std::uint16_t* farthest, Emit&& emit) {
+    const int rows = static_cast<int>(below_.size());
+    for (int r = 0, last = -1; r < rows; ++r) {
+      below_[r] = last >= 0 && r - last <= gap_ ? last : -1;
+      if (farthest[r] > 0) last = r;
+    }
+    for (int r = rows - 1, last = -1; r >= 0; --r) {
+      above_[r] = last >= 0 && last - r <= gap_ ? last : -1;
+      if (farthest[r] > 0) last = r;
+    }
+    for (int r = 0; r < rows; ++r) {
+      std::uint16_t near = 0xFFFF, far = 0;
+      const auto include = [&](int row) {
+        near = std::min(near, nearest[row]);
+        far = std::max(far, farthest[row]);
+      };
+      for (int row = std::max(0, r - reach_); row <= std::min(rows - 1, r + reach_); ++row) include(row);
+      if (below_[r] >= 0) include(below_[r]);
+      if (above_[r] >= 0) include(above_[r]);
+      emit(r, near, far);
+    }
+  }
+
+ private:
+  int reach_, gap_;
+  std::vector<int> below_, above_;
+};
+
+}  // namespace
+
+SphericalGrid::SphericalGrid(float column, float row, float elevation_min, float elevation_max)
+    : row_rad(row), elevation_min_rad(elevation_min - row) {
+  columns = std::max(8, static_cast<int>(std::floor(kTwoPi / column)));
+  column_rad = kTwoPi / columns;
+  rows = static_cast<int>(std::ceil((elevation_max - elevation_min) / row)) + 3;
+  inverse_column_ = 1.0F / column_rad;
+  inverse_row_ = 1.0F / row_rad;
+}
+
+RangeImage RangeImage::nearest(const ProjectedScan& scan, float level_rad, float max_range_m) {
+  RangeImage image;
+  image.step_m_ = max_range_m / kSteps;
+  image.grid_ = SphericalGrid(level_rad, level_rad, scan.elevation_min_rad, scan.elevation_max_rad);
+  const SpanPlanes planes = span_planes(scan, image.grid_, image.step_m_);
+  image.spans_.resize(image.grid_.size());
+  for (std::size_t i = 0; i < image.spans_.size(); ++i) {
+    const std::uint16_t range = planes.farthest[i] > 0 ? planes.nearest[i] : std::uint16_t{0};
+    image.spans_[i] = {range, range};
+  }
+  return image;
+}
+
+RangeImage RangeImage::bracketed(const ProjectedScan& scan, SensorGeometry geometry, float max_range_m) {
+  const float column_rad = std::max(0.4F * kRad, 1.5F * geometry.azimuth_step_rad);
+  const float row_rad = 0.15F * kRad;
+  const int gap_rows = static_cast<int>(std::ceil(1.25F * geometry.ring_spacing_rad / row_rad));
+  const float margin = gap_rows * row_rad;
+
+  RangeImage image;
+  image.step_m_ = max_range_m / kSteps;
+  image.grid_ =
+      SphericalGrid(column_rad, row_rad, scan.elevation_min_rad - margin, scan.elevation_max_rad + margin);
+  const SpanPlanes planes = widened_by_a_column(span_planes(scan, image.grid_, image.step_m_), image.grid_);
+  image.spans_.resize(image.grid_.size());
+  ColumnBracket bracket(image.grid_.rows, 2, gap_rows);
+  for (int c = 0; c < image.grid_.columns; ++c) {
+    const std::size_t first = static_cast<std::size_t>(c) * image.grid_.rows;
+    bracket.run(&planes.nearest[first], &planes.farthest[first],
+                [&](int row, std::uint16_t near, std::uint16_t far) {
+                  image.spans_[first + row] = {near, far};
+                });
+  }
+  return image;
+}
+
+}  // namespace stillmap

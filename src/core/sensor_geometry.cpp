@@ -1,0 +1,69 @@
+#include "stillmap/sensor_geometry.hpp"
+
+#include <algorithm>
+
+namespace stillmap {
+namespace {
+
+constexpr float kRad = 0.01745329252F;
+
+/// The value below which `fraction` of the values lie; reorders them.
+float quantile(std::vector<float>& values, double fraction) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * (values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+/// Sorts `angle` inside bins of `bin_angle` and returns the gaps between neighbours that are at least
+/// `floor_rad`.
+std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const std::vector<float>& angle,
+                                    const std::vector<float>& range_m, float bin_rad, float floor_rad) {
+  std::vector<std::pair<int, float>> sorted;
+  sorted.reserve(angle.size());
+  for (std::size_t i = 0; i < angle.size(); ++i)
+    if (range_m[i] > 0) sorted.emplace_back(static_cast<int>(std::floor(bin_angle[i] / bin_rad)), angle[i]);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<float> gaps;
+  gaps.reserve(sorted.size());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const float gap = sorted[i].second - sorted[i - 1].second;
+    if (sorted[i].first == sorted[i - 1].first && gap >= floor_rad) gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+}  // namespace
+
+SensorGeometry measure_geometry(const ProjectedScan& scan) {
+  constexpr std::size_t kEnough = 50;
+  // Thin columns hold a return or two of each ring: their larger gaps are the ring spacing. Rows thinner than
+  // a ring hold one ring: their middle gap is the azimuth step.
+  std::vector<float> rings =
+      gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, 0.4F * kRad, 0.03F * kRad);
+  std::vector<float> steps =
+      gaps_inside_bins(scan.elevation_rad, scan.azimuth_rad, scan.range_m, 0.1F * kRad, 0.02F * kRad);
+  SensorGeometry found;
+  if (rings.size() >= kEnough) found.ring_spacing_rad = quantile(rings, 0.75);
+  if (steps.size() >= kEnough) found.azimuth_step_rad = quantile(steps, 0.5);
+  return found;
+}
+
+SensorGeometry GeometryEstimator::update(const ProjectedScan& scan) {
+  if (ring_spacings_.size() < kScans) {
+    const SensorGeometry found = measure_geometry(scan);
+    if (found.ring_spacing_rad > 0 && found.azimuth_step_rad > 0) {
+      ring_spacings_.push_back(found.ring_spacing_rad);
+      azimuth_steps_.push_back(found.azimuth_step_rad);
+    }
+  }
+  SensorGeometry geometry{0.5F * kRad, 0.2F * kRad};  // until a scan can tell
+  if (!ring_spacings_.empty()) {
+    std::vector<float> rings = ring_spacings_, steps = azimuth_steps_;
+    geometry = {quantile(rings, 0.5), quantile(steps, 0.5)};
+  }
+  if (given_.ring_spacing_rad > 0) geometry.ring_spacing_rad = given_.ring_spacing_rad;
+  if (given_.azimuth_step_rad > 0) geometry.azimuth_step_rad = given_.azimuth_step_rad;
+  return geometry;
+}
+
+}  // namespace stillmap

@@ -1,0 +1,29 @@
+#include "stillmap/voxel_map.hpp"
+
+namespace stillmap {
+
+Voxel& VoxelBlock::find_or_create(int place, bool& created) {
+  const int index = rank(place);
+  created = !contains(place);
+  if (created) {
+    voxels_.insert(voxels_.begin() + index, Voxel{});
+    const int word = place >> 6;
+    occupied_[word] |= std::uint64_t{1} << (place & 63);
+    for (int later = word + 1; later < kWords; ++later) ++before_[later];
+  }
+  return voxels_[index];
+}
+
+std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
+  const auto [it, created] = index_.try_emplace(packed(key), static_cast<std::uint32_t>(blocks_.size()));
+  if (created) blocks_.emplace_back(key);
+  return it->second;
+}
+
+std::size_t VoxelMap::voxel_count() const {
+  std::size_t count = 0;
+  for (const VoxelBlock& block : blocks_) count += block.size();
+  return count;
+}
+
+}  // namespace stillmap
