@@ -1,0 +1,69 @@
+#include "ros/map_services.hpp"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/map_file.hpp"
+
+namespace stillmap {
+
+MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : shared_(shared) {
+  private_nh.setCallbackQueue(&queue_);
+  save_map_ = private_nh.advertiseService("save_map", &MapServices::on_save_map, this);
+  reset_ = private_nh.advertiseService("reset", &MapServices::on_reset, this);
+  spinner_.start();
+}
+
+std::string MapServices::save(const std::string& path) {
+  std::unique_lock lock(shared_.mutex);
+  const std::size_t scan_count = shared_.mapper.scan_count();
+  const MapSnapshotPtr map = shared_.mapper.snapshot();
+  lock.unlock();
+  const auto static_voxels = std::count_if(map->voxels.begin(), map->voxels.end(),
+                                           [](const auto& voxel) { return voxel.label == Label::kStatic; });
+  if (static_voxels == 0)
+    throw std::runtime_error(path + ": not written, the map has no static voxel after " +
+                             std::to_string(scan_count) + " scans");
+  const std::lock_guard file_lock(file_mutex_);
+  save_map(*map, path);
+  return path + ": map of " + std::to_string(static_voxels) + " static voxels after " +
+         std::to_string(scan_count) + " scans";
+}
+
+void MapServices::save_if_changed(const std::string& path) {
+  std::unique_lock lock(shared_.mutex);
+  const std::size_t scan_count = shared_.mapper.scan_count();
+  if (scan_count == 0 || scan_count == saved_scan_count_) return;
+  saved_scan_count_ = scan_count;
+  lock.unlock();
+  try {
+    ROS_INFO_STREAM("saved " << save(path));
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("save_map: " << error.what());
+  }
+}
+
+bool MapServices::on_save_map(SaveMap::Request& request, SaveMap::Response& response) {
+  try {
+    response.message = "saved " + save(request.path);
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = false;
+  }
+  ROS_INFO_STREAM("save_map: " << response.message);
+  return true;
+}
+
+bool MapServices::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const std::lock_guard lock(shared_.mutex);
+  response.message = "forgot the map of " + std::to_string(shared_.mapper.scan_count()) + " scans";
+  shared_.mapper.reset();
+  response.success = true;
+  ROS_INFO_STREAM("reset: " << response.message);
+  return true;
+}
+
+}  // namespace stillmap

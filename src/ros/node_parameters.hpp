@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+
+#include "messages/pairing_options.hpp"
+#include "stillmap/parameters.hpp"
+
+namespace stillmap {
+
+/// What the node takes beside the method's Parameters. Names, units, ranges and meanings stand once, in
+/// visit_node_parameters().
+struct NodeParameters {
+  std::string cloud_topic = "/cloud_registered";
+  std::string odom_topic = "/Odometry";
+  std::string cloud_frame = "world";
+  std::string sensor_on_body = "0 0 0 0 0 0";
+  std::string fixed_frame;
+  std::string body_frame;
+  double max_odometry_gap_s = 0.5;
+  int queue_size = 10;
+  double map_period_s = 2.0;
+  std::string save_map;
+  double save_map_idle_s = 3.0;
+};
+
+/// As visit_parameters().
+template <class ParametersT, class Visitor>
+void visit_node_parameters(ParametersT& p, Visitor&& visit) {
+  const auto text = [&](const char* name, auto& value, const char* help) {
+    visit(ParameterInfo{name, "", 0, 0, "", help}, value);
+  };
+  const auto number = [&](const char* name, const char* unit, double min, double max, auto& value,
+                          const char* help) {
+    visit(ParameterInfo{name, unit, min, max, "", help}, value);
+  };
+
+  text("cloud_topic", p.cloud_topic, "the scans, sensor_msgs/PointCloud2");
+  text("odom_topic", p.odom_topic, "the poses, nav_msgs/Odometry; empty = tf2");
+  text("cloud_frame", p.cloud_frame, "the frame that x, y, z are in: world, body or sensor");
+  text("sensor_on_body", p.sensor_on_body, "x y z roll_deg pitch_deg yaw_deg, or x y z qx qy qz qw");
+  text("fixed_frame", p.fixed_frame, "the map's frame; needed with tf2, else empty = the odometry's");
+  text("body_frame", p.body_frame, "tf2 frame whose pose is looked up; empty = the cloud's own frame");
+  number("max_odometry_gap_s", "s", 0.01, 60.0, p.max_odometry_gap_s,
+         "longest time between two odometry messages to interpolate over");
+  number("queue_size", "scans", 1, 1000, p.queue_size, "scans that may wait; beyond, the oldest is dropped");
+  number("map_period_s", "s", 0.1, 3600.0, p.map_period_s, "shortest time between two maps");
+  text("save_map", p.save_map, ".pcd, .ply, .bt or .ot where the map is saved; empty = nowhere");
+  number("save_map_idle_s", "s", 0.5, 3600.0, p.save_map_idle_s,
+         "save_map is written when no scan has come for so long, and on shutdown");
+}
+
+/// Throws std::invalid_argument naming the parameters that are out of range or do not go together.
+PairingOptions check_node_parameters(const NodeParameters& parameters);
+
+}  // namespace stillmap

@@ -1,0 +1,113 @@
+#include "ros/scan_input.hpp"
+
+#include <stdexcept>
+
+#include "messages/frame_id.hpp"
+
+namespace stillmap {
+namespace {
+
+constexpr int kCloudsInTransit = 100, kOdometryInTransit = 2000;
+constexpr std::chrono::seconds kLongWait(2);
+
+std::string advice(const std::string& reason) {
+  if (reason == "queue_full") return "; give more threads, a larger voxel_size_m or queue_size";
+  if (reason == "no_pose") return "; check odom_topic, fixed_frame and the stamps of both";
+  if (reason == "late") return "; the publisher must give each scan its own, growing stamp";
+  if (reason == "jumped_back") return "; the map is kept: call ~reset to begin anew";
+  return "";
+}
+
+}  // namespace
+
+ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, ThrottledLog& log)
+    : parameters_(parameters), log_(log) {
+  const PairingOptions options = check_node_parameters(parameters);
+  if (parameters.odom_topic.empty()) {
+    tf_poses_ = std::make_unique<TfPoses>(parameters.fixed_frame, parameters.body_frame);
+    pairing_ = std::make_unique<ScanPairing>(options, *tf_poses_);
+  } else {
+    pairing_ = std::make_unique<ScanPairing>(options);
+    odometry_subscriber_ =
+        nh.subscribe(parameters.odom_topic, kOdometryInTransit, &ScanInput::on_odometry, this);
+  }
+  pairing_->set_drop_listener(
+      [this](const std::string& reason, const std::string& text) { on_drop(reason, text); });
+  cloud_subscriber_ = nh.subscribe(parameters.cloud_topic, kCloudsInTransit, &ScanInput::on_cloud, this);
+}
+
+void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  const std::lock_guard lock(mutex_);
+  pairing_->add_cloud(cloud);
+  arrived_.notify_one();
+}
+
+void ScanInput::on_odometry(const nav_msgs::OdometryConstPtr& odometry) {
+  const std::lock_guard lock(mutex_);
+  try {
+    pairing_->add_odometry(*odometry);
+    odometry_frame_ = without_leading_slash(odometry->header.frame_id);
+  } catch (const std::invalid_argument& error) {
+    log_.warn("odometry", parameters_.odom_topic + ": a pose is not used: " + error.what() +
+                              "; the odometry has failed or fills in its message wrongly");
+  }
+  arrived_.notify_one();
+}
+
+std::optional<PairedScan> ScanInput::next(std::chrono::milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  const std::chrono::milliseconds tf_poll(5);  // nobody calls when a transform comes
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (std::optional<PairedScan> paired = take()) return paired;
+    warn_when_waiting_long();
+    const auto now = Clock::now();
+    if (now >= deadline) return std::nullopt;
+    arrived_.wait_until(lock, tf_poses_ ? std::min<Clock::time_point>(deadline, now + tf_poll) : deadline);
+  }
+}
+
+std::optional<PairedScan> ScanInput::take() {
+  std::optional<PairedScan> paired;
+  try {
+    paired = pairing_->next();
+  } catch (const std::runtime_error& error) {
+    log_.warn("unreadable", parameters_.cloud_topic + ": a scan is dropped: " + error.what());
+  }
+  if (paired || pairing_->waiting() == 0) last_taken_ = Clock::now();
+  return paired;
+}
+
+void ScanInput::warn_when_waiting_long() {
+  if (Clock::now() - last_taken_ < kLongWait) return;
+  log_.warn("waiting", parameters_.cloud_topic + ": " + std::to_string(pairing_->waiting()) +
+                           " scans wait for their pose: " + pairing_->waiting_for() + advice("no_pose"));
+}
+
+void ScanInput::on_drop(const std::string& reason, const std::string& text) {
+  const std::string what = reason == "jumped_back" ? ": " : ": a scan is dropped: ";
+  log_.warn(reason, parameters_.cloud_topic + what + text + advice(reason));
+}
+
+void ScanInput::close() {
+  cloud_subscriber_.shutdown();
+  odometry_subscriber_.shutdown();
+}
+
+std::size_t ScanInput::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return pairing_->waiting();
+}
+
+std::map<std::string, std::uint64_t> ScanInput::dropped() const {
+  const std::lock_guard lock(mutex_);
+  return pairing_->dropped();
+}
+
+std::string ScanInput::fixed_frame() const {
+  if (!parameters_.fixed_frame.empty()) return without_leading_slash(parameters_.fixed_frame);
+  const std::lock_guard lock(mutex_);
+  return odometry_frame_;
+}
+
+}  // namespace stillmap

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "messages/scan_pairing.hpp"
+#include "ros/node_parameters.hpp"
+#include "ros/tf_poses.hpp"
+#include "ros/throttled_log.hpp"
+
+namespace stillmap {
+
+/// The subscriptions. Callbacks only put messages into the queue; a worker takes paired scans out of it.
+class ScanInput {
+ public:
+  ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, ThrottledLog& log);
+
+  /// The next scan with its pose, waiting for one no longer than `patience`.
+  std::optional<PairedScan> next(std::chrono::milliseconds patience);
+  void close();  ///< takes no more messages; what is queued can still be taken
+
+  std::size_t waiting() const;
+  std::map<std::string, std::uint64_t> dropped() const;
+  std::string fixed_frame() const;  ///< the map's, without leading slash
+
+ private:
+  void on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
+  void on_drop(const std::string& reason, const std::string& text);
+  std::optional<PairedScan> take();
+  void warn_when_waiting_long();
+
+  using Clock = std::chrono::steady_clock;
+  const NodeParameters parameters_;
+  ThrottledLog& log_;
+  std::unique_ptr<TfPoses> tf_poses_;  ///< with tf2 alone
+  mutable std::mutex mutex_;           ///< of all below
+  std::condition_variable arrived_;
+  std::unique_ptr<ScanPairing> pairing_;
+  std::string odometry_frame_;
+  Clock::time_point last_taken_ = Clock::now();
+  ros::Subscriber cloud_subscriber_, odometry_subscriber_;
+};
+
+}  // namespace stillmap

@@ -1,0 +1,40 @@
+#include "ros/scan_outputs.hpp"
+
+#include "messages/frame_id.hpp"
+#include "messages/labelled_cloud.hpp"
+
+namespace stillmap {
+namespace {
+
+constexpr int kQueue = 10;
+
+template <class MakeCloud>
+void publish_if_wanted(const ros::Publisher& publisher, const MakeCloud& make_cloud) {
+  if (publisher.getNumSubscribers() == 0) return;
+  const sensor_msgs::PointCloud2Ptr cloud = make_cloud();
+  cloud->header.frame_id = without_leading_slash(cloud->header.frame_id);
+  publisher.publish(cloud);
+}
+
+}  // namespace
+
+ScanOutputs::ScanOutputs(ros::NodeHandle private_nh)
+    : static_(private_nh.advertise<sensor_msgs::PointCloud2>("static_points", kQueue)),
+      dynamic_(private_nh.advertise<sensor_msgs::PointCloud2>("dynamic_points", kQueue)),
+      uncertain_(private_nh.advertise<sensor_msgs::PointCloud2>("uncertain_points", kQueue)),
+      labelled_(private_nh.advertise<sensor_msgs::PointCloud2>("labelled_points", kQueue)),
+      status_(private_nh.advertise<Status>("status", kQueue)) {}
+
+void ScanOutputs::publish(const sensor_msgs::PointCloud2& cloud, const ScanLabels& labels) {
+  publish_if_wanted(static_, [&] { return select_rows(cloud, labels, Label::kStatic); });
+  publish_if_wanted(dynamic_, [&] { return select_rows(cloud, labels, Label::kDynamic); });
+  publish_if_wanted(uncertain_,
+                    [&] { return select_rows(cloud, labels, Label::kUncertain, Label::kInvalid); });
+  publish_if_wanted(labelled_, [&] { return add_label_fields(cloud, labels); });
+}
+
+void ScanOutputs::publish(const Status& status) {
+  if (status_.getNumSubscribers() > 0) status_.publish(boost::make_shared<Status>(status));
+}
+
+}  // namespace stillmap

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+
+#include "stillmap/mapper.hpp"
+
+namespace stillmap {
+
+/// Wall time of each stage of one scan.
+class StageTimer : public StageListener {
+ public:
+  void start() {
+    stage_ms.fill(0);
+    last_ = Clock::now();
+  }
+  void stage_ended(Stage stage) override {
+    const auto now = Clock::now();
+    stage_ms[static_cast<std::size_t>(stage)] =
+        std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+  }
+
+  std::array<double, kStageCount> stage_ms{};
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_;
+};
+
+}  // namespace stillmap

@@ -1,0 +1,102 @@
+#include "ros/stillmap_ros.hpp"
+
+#include <ros/console.h>
+
+#include <stdexcept>
+
+namespace stillmap {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(100);
+
+std::size_t judged(const LabelCounts& counts) {
+  return counts.uncertain + counts.is_static + counts.dynamic;
+}
+
+}  // namespace
+
+StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
+    : settings_(load_settings(private_nh)),
+      shared_{{}, Mapper(settings_.method)},
+      outputs_(private_nh),
+      map_outputs_(private_nh, settings_.node.map_period_s),
+      services_(private_nh, shared_),
+      diagnostics_(nh, private_nh),
+      input_(nh, settings_.node, log_) {
+  shared_.mapper.set_listener(&stage_timer_);
+  for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
+  const NodeParameters& node = settings_.node;
+  ROS_INFO_STREAM("stillmap: " << node.cloud_topic << " (" << node.cloud_frame << ") with "
+                               << (node.odom_topic.empty() ? "tf2" : node.odom_topic));
+  worker_ = std::thread(&StillmapRos::work, this);
+}
+
+StillmapRos::~StillmapRos() {
+  input_.close();
+  closing_ = true;
+  worker_.join();
+  if (!settings_.node.save_map.empty()) services_.save_if_changed(settings_.node.save_map);
+}
+
+void StillmapRos::work() {
+  for (;;) {
+    const bool is_last_call = closing_;
+    const std::optional<PairedScan> paired =
+        input_.next(is_last_call ? std::chrono::milliseconds(0) : kPatience);
+    if (paired) process(*paired);
+    if (!paired && is_last_call) return;
+    between_scans();
+  }
+}
+
+void StillmapRos::process(const PairedScan& paired) {
+  last_scan_ = Clock::now();
+  try {
+    const std::lock_guard lock(shared_.mutex);  // the labels are valid until the next process()
+    stage_timer_.start();
+    const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
+    const double process_ms = std::chrono::duration<double, std::milli>(Clock::now() - last_scan_).count();
+    outputs_.publish(*paired.cloud, labels);
+    report(paired, labels, process_ms);
+  } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
+    log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());
+  }
+}
+
+void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, double process_ms) {
+  const LabelCounts counts = count(labels);
+  if (judged(counts) == 0)
+    log_.warn("unusable", settings_.node.cloud_topic + ": a scan of " + std::to_string(labels.label.size()) +
+                              " rows has no usable return (all NaN, zero or nearer than min_range_m); the "
+                              "map stays as it is. Check the sensor's driver");
+  status_.header = paired.cloud->header;
+  status_.static_points = static_cast<std::uint32_t>(counts.is_static);
+  status_.dynamic_points = static_cast<std::uint32_t>(counts.dynamic);
+  status_.uncertain_points = static_cast<std::uint32_t>(counts.uncertain);
+  status_.invalid_points = static_cast<std::uint32_t>(counts.invalid);
+  status_.scans = shared_.mapper.scan_count();
+  status_.voxels = shared_.mapper.voxel_count();
+  status_.process_ms = process_ms;
+  status_.stage_ms.assign(stage_timer_.stage_ms.begin(), stage_timer_.stage_ms.end());
+  outputs_.publish(status_);
+}
+
+void StillmapRos::between_scans() {
+  status_.waiting = static_cast<std::uint32_t>(input_.waiting());
+  status_.drop_reasons.clear();
+  status_.dropped.clear();
+  for (const auto& [reason, scans] : input_.dropped()) {
+    status_.drop_reasons.push_back(reason);
+    status_.dropped.push_back(scans);
+  }
+  diagnostics_.update_if_due(status_);
+  {
+    const std::lock_guard lock(shared_.mutex);
+    map_outputs_.publish_if_due(shared_.mapper, input_.fixed_frame());
+  }
+  const bool is_idle =
+      Clock::now() - last_scan_ > std::chrono::duration<double>(settings_.node.save_map_idle_s);
+  if (is_idle && !settings_.node.save_map.empty()) services_.save_if_changed(settings_.node.save_map);
+}
+
+}  // namespace stillmap

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <stillmap/Status.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "ros/map_outputs.hpp"
+#include "ros/map_services.hpp"
+#include "ros/node_diagnostics.hpp"
+#include "ros/parameter_server.hpp"
+#include "ros/scan_input.hpp"
+#include "ros/scan_outputs.hpp"
+#include "ros/stage_timer.hpp"
+#include "ros/throttled_log.hpp"
+
+namespace stillmap {
+
+/// The inside of the nodelet and of the node: scans in, labelled scans and maps out. One worker thread does
+/// all work, so that the subscribers' callbacks never wait.
+class StillmapRos {
+ public:
+  /// Throws std::runtime_error when a parameter is refused.
+  StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  /// Finishes the queue and saves the map.
+  ~StillmapRos();
+
+ private:
+  void work();
+  void process(const PairedScan& paired);
+  void report(const PairedScan& paired, const ScanLabels& labels, double process_ms);
+  void between_scans();
+
+  using Clock = std::chrono::steady_clock;
+  const NodeSettings settings_;
+  ThrottledLog log_;
+  SharedMapper shared_;
+  StageTimer stage_timer_;
+  ScanOutputs outputs_;
+  MapOutputs map_outputs_;
+  MapServices services_;
+  NodeDiagnostics diagnostics_;
+  Status status_;
+  Clock::time_point last_scan_ = Clock::now();
+  ScanInput input_;
+  std::atomic<bool> closing_{false};
+  std::thread worker_;  ///< last: starts when all else is there
+};
+
+}  // namespace stillmap
