@@ -117,13 +117,25 @@ std::string to_text(const std::vector<double>& values) {
   return text + "]";
 }
 
+/// Comment lines of at most 100 characters.
+std::string wrapped_comment(const std::string& text) {
+  std::istringstream words(text);
+  std::string lines, line = "#";
+  for (std::string word; words >> word; line += " " + word)
+    if (line.size() + 1 + word.size() > 100) {
+      lines += line + "\n";
+      line = "#";
+    }
+  return lines + line + "\n";
+}
+
 std::string comment_of(const ParameterInfo& info, bool is_number) {
   std::ostringstream text;
-  text << "# " << info.help;
+  text << info.help;
   if (*info.options) text << " [" << info.options << "]";
   if (is_number)
     text << " [" << info.min << " to " << info.max << (*info.unit ? " " : "") << info.unit << "]";
-  return text.str();
+  return wrapped_comment(text.str());
 }
 
 }  // namespace
@@ -165,7 +177,7 @@ std::string to_yaml(const Parameters& parameters) {
   visit_parameters(parameters, [&](const ParameterInfo& info, const auto& value) {
     using T = std::decay_t<decltype(value)>;
     const bool is_number = !std::is_same_v<T, bool> && !std::is_same_v<T, std::string>;
-    text += "\n" + comment_of(info, is_number) + "\n" + info.name + ": " + to_text(value) + "\n";
+    text += "\n" + comment_of(info, is_number) + info.name + ": " + to_text(value) + "\n";
   });
   return text;
 }

@@ -26,14 +26,19 @@ pcl::PointCloud<pcl::PointXYZI> static_points(const MapSnapshot& map) {
   return cloud;
 }
 
-void write_ply(const pcl::PointCloud<pcl::PointXYZI>& cloud, const std::string& file) {
-  if (pcl::PLYWriter().write<pcl::PointXYZI>(file, cloud, true, false) != 0)
-    throw std::runtime_error("PLY writer failed");
+/// PCL refuses to write clouds without points; a map may have no static voxel yet.
+std::string empty_file(bool ply) {
+  if (ply)
+    return "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+           "property float intensity\nend_header\n";
+  return "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 0\nHEIGHT 1\n"
+         "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 0\nDATA ascii\n";
 }
 
-void write_pcd(const pcl::PointCloud<pcl::PointXYZI>& cloud, const std::string& file) {
-  // PCL refuses clouds without points; a map may have no static voxel yet.
-  if (pcl::PCDWriter().writeBinary(file, cloud) != 0) throw std::runtime_error("PCD writer failed");
+int write_cloud(const pcl::PointCloud<pcl::PointXYZI>& cloud, bool ply, const std::string& file) {
+  const bool binary = true, camera = false;
+  return ply ? pcl::PLYWriter().write<pcl::PointXYZI>(file, cloud, binary, camera)
+             : pcl::PCDWriter().writeBinary(file, cloud);
 }
 
 }  // namespace
@@ -41,12 +46,14 @@ void write_pcd(const pcl::PointCloud<pcl::PointXYZI>& cloud, const std::string& 
 void save_point_cloud(const MapSnapshot& map, const std::string& path) {
   const pcl::PointCloud<pcl::PointXYZI> cloud = static_points(map);
   const bool ply = std::filesystem::path(path).extension() == ".ply";
+  if (cloud.empty()) return write_text_atomically(path, empty_file(ply));
   write_atomically(path, [&](const std::string& file) {
     try {
-      ply ? write_ply(cloud, file) : write_pcd(cloud, file);
+      if (write_cloud(cloud, ply, file) == 0) return;
     } catch (const pcl::IOException& error) {
       throw std::runtime_error(path + ": cannot be written: " + error.what());
     }
+    throw std::runtime_error(path + ": cannot be written; is the disk full?");
   });
 }
 
