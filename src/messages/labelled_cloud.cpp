@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/endian/conversion.hpp>
+#include <boost/make_shared.hpp>
 #include <cstring>
 #include <string>
 

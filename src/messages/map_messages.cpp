@@ -1,9 +1,10 @@
 #include "messages/map_messages.hpp"
 
 #include <octomap/OcTree.h>
-
 #include <sensor_msgs/point_cloud2_iterator.h>
+
 #include <algorithm>
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <sstream>
 
@@ -30,14 +31,12 @@ LabelledMapPtr to_labelled_map(const MapSnapshot& map, const std::string& frame_
   auto message = boost::make_shared<LabelledMap>();
   message->header = header_of(map, frame_id);
   message->voxel_size_m = map.voxel_size_m;
-  message->centers.resize(map.voxels.size());
+  message->centers.resize(3 * map.voxels.size());
   message->log_odds.resize(map.voxels.size());
   message->labels.resize(map.voxels.size());
   for (std::size_t i = 0; i < map.voxels.size(); ++i) {
     const SnapshotVoxel& voxel = map.voxels[i];
-    message->centers[i].x = voxel.center.x();
-    message->centers[i].y = voxel.center.y();
-    message->centers[i].z = voxel.center.z();
+    for (std::size_t axis = 0; axis < 3; ++axis) message->centers[3 * i + axis] = voxel.center[axis];
     message->log_odds[i] = voxel.log_odds;
     message->labels[i] = static_cast<std::uint8_t>(voxel.label);
   }

@@ -1,5 +1,7 @@
 #include "ros/scan_outputs.hpp"
 
+#include <boost/make_shared.hpp>
+
 #include "messages/frame_id.hpp"
 #include "messages/labelled_cloud.hpp"
 
