@@ -17,12 +17,27 @@ struct Voxel {
   std::uint8_t hits = 0;            ///< scans that returned from it, saturating
   std::uint8_t conflicts = 0;       ///< scans that saw through it since it was last hit, saturating
   std::uint8_t idle = 0;  ///< scans since it was last hit, saturating; brought up to date by a block's visit
-  std::uint8_t first_seen = 0;  ///< scans since its birth, saturating; as above
-  std::uint8_t flags = 0;
-  std::uint8_t points = 0;  ///< returns from it in all, saturating
+  std::uint8_t first_seen = 0;      ///< scans since its birth, saturating; as above
+  std::uint16_t surface = kCentre;  ///< where in the voxel the surface is: 5 bits an axis, x lowest
 
+  static constexpr std::uint16_t kCentre = 16 | 16 << 5 | 16 << 10;
   static constexpr float kLogOddsScale = 2048.0F;
   float log_odds() const { return log_odds_fixed / kLogOddsScale; }
+  /// Mean place of the returns, in voxel edges from the voxel's low corner.
+  Eigen::Vector3f surface_offset() const {
+    constexpr float kStep = 1.0F / 32.0F;
+    return {((surface & 31) + 0.5F) * kStep, ((surface >> 5 & 31) + 0.5F) * kStep,
+            ((surface >> 10 & 31) + 0.5F) * kStep};
+  }
+  /// The first return sets the place, later ones pull it by `weight`.
+  void move_surface(const Eigen::Vector3f& offset, float weight) {
+    const Eigen::Vector3f mean = surface_offset() + weight * (offset - surface_offset());
+    const auto bits = [](float value) {
+      return static_cast<unsigned>(std::min(31.0F, std::max(0.0F, value * 32.0F)));
+    };
+    surface = static_cast<std::uint16_t>(bits(mean.x()) | bits(mean.y()) << 5 | bits(mean.z()) << 10);
+  }
+
   void set_log_odds(float value) {
     log_odds_fixed = static_cast<std::int16_t>(value * kLogOddsScale + (value < 0 ? -0.5F : 0.5F));
   }

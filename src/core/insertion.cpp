@@ -28,7 +28,9 @@ void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   std::uint32_t last_block = VoxelRef::kNone;  // neighbouring rows mostly share a block
   for (std::size_t row = 0; row < scan.points.size(); ++row) {
     if (!(projected.range_m[row] > 0)) continue;
-    const VoxelKey key = map.key_of(R * scan.points[row].cast<double>() + t);
+    const Eigen::Vector3d point = (R * scan.points[row].cast<double>() + t) * map.inverse_voxel_size();
+    const Eigen::Vector3d corner = point.array().floor();
+    const VoxelKey key = corner.cast<int>();
     if ((key.array().abs() >= kVoxelKeyLimit).any()) continue;
     const BlockKey block = block_key(key);
     if (last_block == VoxelRef::kNone || block != last_key) {
@@ -44,7 +46,7 @@ void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     if (created) new_voxels.push_back({voxel_of_row[row], static_cast<std::uint32_t>(row)});
     if (created || voxel.idle > 0) count_up(voxel.hits);
     voxel.idle = 0;
-    count_up(voxel.points);
+    voxel.move_surface((point - corner).cast<float>(), created ? 1.0F : 0.25F);
   }
 }
 

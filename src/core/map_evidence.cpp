@@ -8,7 +8,8 @@ void Mapper::State::apply_evidence(const ScanView& view) {
   const Eigen::Matrix3f step = view.R_sensor_map * voxel_m;
   for (std::uint32_t index = 0; index < map.block_count(); ++index) {
     VoxelBlock& block = map.block(index);
-    const Eigen::Vector3f first = view.to_sensor(map.center_of(voxel_key(block.key(), 0)));
+    const Eigen::Vector3f first =
+        view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
     if (first.norm() > reach) continue;
     block.for_each([&](int place, Voxel& voxel) {
       const bool hit = block.last_hit == scan_count && voxel.idle == 0;
@@ -17,7 +18,7 @@ void Mapper::State::apply_evidence(const ScanView& view) {
         for (const LevelModel& model : models) evidence.support(model);
       } else {
         const VoxelKey key = voxel_key(BlockKey(0, 0, 0), place);
-        evidence = view.evidence(first + step * key.cast<float>(), models);
+        evidence = view.evidence(first + step * (key.cast<float>() + voxel.surface_offset()), models);
       }
       if (evidence.kind() == Evidence::kUnknown) return;
       if (evidence.kind() == Evidence::kConflict) voxel.conflicts = std::min(254, voxel.conflicts + 0) + 1;

@@ -73,8 +73,12 @@ class ColumnBracket {
         far = std::max(far, farthest[row]);
       };
       for (int row = std::max(0, r - reach_); row <= std::min(rows - 1, r + reach_); ++row) include(row);
+      const bool own = far > 0;
       if (below_[r] >= 0) include(below_[r]);
       if (above_[r] >= 0) include(above_[r]);
+      // Nothing passes below the lowest beam, and nothing is known beyond the reach of one.
+      const bool known = below_[r] >= 0 && (above_[r] >= 0 || own);
+      if (!known) near = 0xFFFF, far = 0;
       emit(r, near, far);
     }
   }
