@@ -77,7 +77,7 @@ SimulatedFrame cast_scan(const RayCaster& caster, const SensorModel& sensor,
   SweepCaster sweep_caster(caster, sensor, sweep, noise);
   const std::vector<Beam> beams = sensor.beams(sweep.index, sweep.period_s);
   double posed_at_share = -1;
-  Eigen::Isometry3d T_map_sensor;
+  Eigen::Isometry3d T_map_sensor = scan.T_map_sensor_true;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const Beam& beam = beams[i];
     const double time_s = sweep.middle_s + (beam.time_share - 0.5) * sweep.period_s;

@@ -31,8 +31,6 @@ void check(const SimulationOptions& options) {
           "0 to 1");
   require(options.drop_percent >= 0 && options.drop_percent <= 100, "drop_percent", options.drop_percent,
           "0 to 100");
-  require(options.first_stamp_ns > 0, "first_stamp_ns", static_cast<double>(options.first_stamp_ns),
-          "more than 0");
 }
 
 SimulationOptions filled(SimulationOptions options) {
@@ -107,7 +105,7 @@ SimulatedFrame Simulator::frame(std::size_t k) const {
   char name[32];
   std::snprintf(name, sizeof(name), "%06zu", k);
   frame.frame.name = name;
-  frame.frame.scan.stamp_ns = options.first_stamp_ns + std::llround(sweep.middle_s * 1e9);
+  frame.frame.scan.stamp_ns = std::llround(sweep.middle_s * 1e9);
   frame.frame.T_map_sensor = state_->odometry[k];
   return frame;
 }

@@ -34,14 +34,13 @@ struct SimulationOptions {
   double drift_percent = 0.2;           ///< of the way travelled
   double range_noise_m = 0.02;          ///< sigma
   double drop_percent = 1.0;            ///< returns lost at random, beside those lost for a reason
-  std::int64_t first_stamp_ns = 1'000'000'000'000;  ///< not 0, which ROS takes for "no stamp"
 };
 
 /// A simulated recording. frame(k) is a pure function of the options and k: the same bytes in any order of
-/// calls. A scan is stamped at the middle of its sweep, and its points are compensated to that moment with
-/// the true motion; as with a real sensor, a point's ray did not start exactly at the scan's origin. Rows
-/// are in firing order (all rings of a column, then the next column, clockwise from behind); a ray without
-/// return has no row.
+/// calls. A scan is stamped at the middle of its sweep, the first one with 0, and its points are compensated
+/// to that moment with the true motion; as with a real sensor, a point's ray did not start exactly at the
+/// scan's origin. Rows are in firing order (all rings of a column, then the next column, clockwise from
+/// behind); a ray without return has no row.
 class Simulator {
  public:
   /// Throws std::invalid_argument naming the option, what was seen and what is allowed.
