@@ -6,6 +6,9 @@
 #include "tools/parameters_command.hpp"
 #include "tools/simulate_command.hpp"
 #include "tools/version.hpp"
+#if STILLMAP_WITH_ROS
+#include "tools/bag_command.hpp"
+#endif
 
 int main(int argc, char** argv) {
   CLI::App app{"Takes moving things out of LiDAR scans."};
@@ -15,6 +18,9 @@ int main(int argc, char** argv) {
   stillmap::add_label_command(app);
   stillmap::add_simulate_command(app);
   stillmap::add_parameters_command(app);
+#if STILLMAP_WITH_ROS
+  stillmap::add_bag_command(app);
+#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::Error& error) {
