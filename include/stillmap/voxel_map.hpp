@@ -108,7 +108,7 @@ class VoxelMap {
   /// Index of the block, or -1.
   std::int64_t find_block(const BlockKey& key) const {
     const auto it = index_.find(packed(key));
-    return it == index_.end() ? -1 : it->second;
+    return it == index_.end() ? std::int64_t{-1} : std::int64_t{it->second};
   }
   std::uint32_t find_or_create_block(const BlockKey& key);
   const Voxel* find(const VoxelKey& key) const {

@@ -45,6 +45,7 @@ void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     voxel_of_row[row] = {last_block, static_cast<std::uint32_t>(place)};
     if (created) new_voxels.push_back({voxel_of_row[row], static_cast<std::uint32_t>(row)});
     if (created || voxel.idle > 0) count_up(voxel.hits);
+    if (!created && voxel.idle > 0) voxel.conflicts = (voxel.conflicts & 0x7f) > 0 && voxel.idle >= 2 ? (0x80|voxel.conflicts) : (voxel.conflicts & 0x7f);
     voxel.idle = 0;
     voxel.move_surface((point - corner).cast<float>(), created ? 1.0F : 0.25F);
   }

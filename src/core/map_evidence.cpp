@@ -21,8 +21,16 @@ void Mapper::State::apply_evidence(const ScanView& view) {
         evidence = view.evidence(first + step * (key.cast<float>() + voxel.surface_offset()), models);
       }
       if (evidence.kind() == Evidence::kUnknown) return;
-      if (evidence.kind() == Evidence::kConflict) voxel.conflicts = std::min(254, voxel.conflicts + 0) + 1;
-      voxel.set_log_odds(recursion(voxel.log_odds(), evidence.increment(voxel.log_odds())));
+      float weaken=1; static const int H = getenv("H") ? atoi(getenv("H")) : 1;
+      static const float W = getenv("W") ? atof(getenv("W")) : .15; static const int NR = getenv("NR") ? atoi(getenv("NR")) : 2;
+      if (evidence.kind() == Evidence::kConflict && W < 1) {
+        const VoxelKey me = voxel_key(block.key(), place);
+        for (int dz=-NR; dz<=NR && weaken==1; dz++) for (int dy=-NR; dy<=NR && weaken==1; dy++) for (int dx=-NR; dx<=NR; dx++) {
+          const Voxel* o = map.find(me + VoxelKey(dx,dy,dz)); if (!o || o==&voxel) continue;
+          if (o->idle==0 && o->hits>=3 && o->log_odds()>0.847f) { weaken=W; break; } }
+      }
+      if (evidence.kind() == Evidence::kConflict) voxel.conflicts = voxel.conflicts < 127 ? voxel.conflicts+1 : voxel.conflicts;
+      voxel.set_log_odds(recursion(voxel.log_odds(), weaken*((H && hit && (voxel.conflicts&0x80)) ? 0.8f*(1-p_from_log_odds(voxel.log_odds())) : evidence.increment(voxel.log_odds()))));
     });
   }
 }

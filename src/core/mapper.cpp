@@ -67,6 +67,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
   s.ended(Stage::kReplay);
   s.decide();  // eq. (9)
   s.ended(Stage::kDecision);
+  if (s.parameters.resolve_objects) s.resolve_objects(scan, T_map_sensor, view);
   s.ended(Stage::kObjects);
   s.history.add(std::move(view));
   return s.labels;
@@ -75,7 +76,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
 ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
   const auto max_range_m = static_cast<float>(parameters.max_range_m);
   project(scan, static_cast<float>(parameters.min_range_m), max_range_m, projected);
-  const SensorGeometry beams = geometry.update(projected);
+  beams = geometry.update(projected);
   std::vector<RangeImage> levels;
   for (const double level_deg : parameters.angular_levels_deg)
     levels.push_back(level_deg > 0

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "clusters.hpp"
+#include "ground.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
@@ -43,6 +45,9 @@ struct Mapper::State {
   std::vector<VoxelRef> voxel_of_row;
   std::vector<NewVoxel> new_voxels;
   std::vector<std::uint8_t> row_flags;
+  Ground ground;
+  Clusters clusters;
+  SensorGeometry beams;
   ScanLabels labels;
 
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);     // mapper.cpp
@@ -50,6 +55,7 @@ struct Mapper::State {
   void apply_evidence(const ScanView& view);                                     // map_evidence.cpp
   void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);  // replay.cpp
   void decide();                                                                 // mapper.cpp
+  void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);  // objects.cpp
   void ended(Stage stage) {
     if (listener != nullptr) listener->stage_ended(stage);
   }
