@@ -1,0 +1,58 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/subscriber.h>
+#include <rosgraph_msgs/Log.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <stillmap/Status.h>
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stillmap {
+
+/// What the node said of one scan.
+struct Answer {
+  sensor_msgs::PointCloud2ConstPtr static_points, dynamic_points, uncertain_points, labelled_points;
+  StatusConstPtr status;
+  bool is_complete() const {
+    return static_points && dynamic_points && uncertain_points && labelled_points && status;
+  }
+};
+
+/// Talks to a node /stillmap as an odometry and a user would. All waiting is in wall time: under a
+/// recording's clock, time may stand still.
+class NodeHarness {
+ public:
+  NodeHarness();
+
+  bool wait_until(const std::function<bool()>& is_so, double patience_s = 30);
+  bool wait_for_connections();
+  void publish(const sensor_msgs::PointCloud2& cloud) { cloud_publisher_.publish(cloud); }
+  void publish(const nav_msgs::Odometry& odometry) { odometry_publisher_.publish(odometry); }
+
+  /// Waits for all five messages about the scan; nullptr when they do not come.
+  const Answer* answer(const ros::Time& stamp, double patience_s = 30);
+  std::size_t answers() const { return answers_.size(); }
+  /// Waits for a line of the node's log with these words.
+  bool said(const std::string& words, double patience_s = 15);
+  void forget_what_was_said() { log_.clear(); }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher cloud_publisher_, odometry_publisher_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::map<ros::Time, Answer> answers_;
+  std::vector<std::string> log_;
+};
+
+/// Scan k of a sensor that stands in an empty room, at kFirstStamp_s + k/10 s.
+sensor_msgs::PointCloud2Ptr room_cloud(int k);
+nav_msgs::Odometry room_odometry(int k);
+
+}  // namespace stillmap
