@@ -24,7 +24,8 @@ void SequenceOptions::add_to(CLI::App& command) {
       ->group(group);
   command
       .add_option("--sensor-on-body", sensor_on_body,
-                  "The sensor's place on the body that the odometry is of: x y z qx qy qz qw")
+                  "The sensor's place on the body that the odometry is of: x y z roll_deg pitch_deg yaw_deg, "
+                  "or x y z qx qy qz qw")
       ->capture_default_str()
       ->group(group);
 }
