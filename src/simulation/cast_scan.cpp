@@ -35,15 +35,15 @@ class SweepCaster {
 
   std::optional<Hit> cast(const Beam& beam, const Eigen::Isometry3d& T_map_sensor, double time_s,
                           Random* random) {
-    if (!noise_.physical) return cast_offset(beam, T_map_sensor, time_s, 0, 0);
+    if (!noise_.physical) return cast_offset(beam, T_map_sensor, time_s, 0, 0, random);
     const double jitter_rad = sensor_.jitter_deg * kRadPerDeg;
     const double azimuth_off = jitter_rad * random->normal(), elevation_off = jitter_rad * random->normal();
-    auto hit = cast_offset(beam, T_map_sensor, time_s, azimuth_off, elevation_off);
+    auto hit = cast_offset(beam, T_map_sensor, time_s, azimuth_off, elevation_off, random);
     if (!hit || !random->chance(kEdgeShare)) return hit;
     // The rim of the footprint may meet something else than its middle.
     const double rim_rad = sensor_.footprint_deg / 2 * kRadPerDeg, around = random->uniform(0, 2 * M_PI);
     auto rim = cast_offset(beam, T_map_sensor, time_s, azimuth_off + rim_rad * std::cos(around),
-                           elevation_off + rim_rad * std::sin(around));
+                           elevation_off + rim_rad * std::sin(around), random);
     if (!rim) return hit;
     if (rim->range_m < hit->range_m) std::swap(hit, rim);
     hit->range_m = mixed_range_m(hit->range_m, rim->range_m, random);
@@ -52,11 +52,24 @@ class SweepCaster {
 
  private:
   std::optional<Hit> cast_offset(const Beam& beam, const Eigen::Isometry3d& T_map_sensor, double time_s,
-                                 double azimuth_off, double elevation_off) {
+                                 double azimuth_off, double elevation_off, Random* random) {
     const Eigen::Vector3d direction =
         direction_of(beam.azimuth_rad + azimuth_off, beam.elevation_rad + elevation_off);
-    const Ray ray{T_map_sensor.translation(), T_map_sensor.linear() * direction};
-    return caster_.cast(ray, time_s, sensor_.max_range_m, &movers_);
+    return cast_through_glass({T_map_sensor.translation(), T_map_sensor.linear() * direction}, time_s,
+                              random);
+  }
+
+  std::optional<Hit> cast_through_glass(const Ray& ray, double time_s, Random* random) {
+    constexpr double kPastSurface_m = 1e-3;
+    double start_m = 0;
+    while (auto hit = caster_.cast({ray.origin + start_m * ray.direction, ray.direction}, time_s,
+                                   sensor_.max_range_m - start_m, &movers_)) {
+      hit->range_m += start_m;
+      const bool goes_through = noise_.physical && random->chance(hit->surface.transparency);
+      if (!goes_through) return hit;
+      start_m = hit->range_m + kPastSurface_m;
+    }
+    return std::nullopt;
   }
 
   const RayCaster& caster_;
@@ -72,6 +85,7 @@ SimulatedFrame cast_scan(const RayCaster& caster, const SensorModel& sensor,
   SimulatedFrame scan;
   scan.T_map_sensor_true = T_map_sensor_at(sweep.middle_s);
   scan.frame.T_map_sensor = scan.T_map_sensor_true;
+  scan.frame.scan.stamp_ns = std::llround(sweep.middle_s * 1e9);
   const Eigen::Isometry3d T_middle_map = scan.T_map_sensor_true.inverse();
 
   SweepCaster sweep_caster(caster, sensor, sweep, noise);

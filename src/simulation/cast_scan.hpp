@@ -22,8 +22,7 @@ struct Sweep {
 };
 
 /// Casts the beams of a sweep, each at its own time from where the sensor then is, and compensates the
-/// points to the middle of the sweep. The frame's T_map_sensor is the true one; its stamp is left to the
-/// caller.
+/// points to the middle of the sweep. The frame's T_map_sensor is the true one, its stamp middle_s.
 SimulatedFrame cast_scan(const RayCaster& caster, const SensorModel& sensor,
                          const SensorMotion& T_map_sensor_at, const Sweep& sweep, const ReturnNoise& noise);
 

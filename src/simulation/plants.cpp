@@ -67,7 +67,7 @@ void add_fruit_tree(World* world, const Vector2d& at, Random* random) {
   for (int i = 0; i < 5; ++i) {
     const Vector3d tip = add_branch(world, fork, height_m * 0.33, 0.03, random);
     const double crown_m = random->uniform(0.5, 0.75);
-    add_foliage(world, {tip, {crown_m, crown_m, crown_m}, 120, 0.06, random->uniform(0.02, 0.09)}, random);
+    add_foliage(world, {tip, {crown_m, crown_m, crown_m}, 80, 0.06, random->uniform(0.02, 0.09)}, random);
   }
 }
 

@@ -35,7 +35,7 @@ void build_shell(World* world, double from_m, double to_m, Random* random) {
       const double pier_m = random->uniform(0.8, 1.5);
       add_wall(world, {x, y}, {std::min(x + pier_m, to_m), y}, kWall_m, 1.2, surfaces::kWall, 0.9);
       if (x + 2.6 > to_m) break;
-      add_wall(world, {x + pier_m, y}, {x + 2.6, y}, 0.02, 1.2, surfaces::kWindow, 0.9);
+      add_wall(world, {x + pier_m, y}, {x + 2.6, y}, 0.02, 1.2, surfaces::kPane, 0.9);
     }
   }
 }

@@ -105,7 +105,6 @@ SimulatedFrame Simulator::frame(std::size_t k) const {
   char name[32];
   std::snprintf(name, sizeof(name), "%06zu", k);
   frame.frame.name = name;
-  frame.frame.scan.stamp_ns = std::llround(sweep.middle_s * 1e9);
   frame.frame.T_map_sensor = state_->odometry[k];
   return frame;
 }

@@ -10,6 +10,7 @@ struct Surface {
   float reflectivity;        ///< 0 to 1
   float return_probability;  ///< of a near, perpendicular ray: dark paint and glass swallow some
   float roughness_m = 0;     ///< ground only: height of grass or gravel above the ground's own height
+  float transparency = 0;    ///< probability that a ray goes through to what is behind
 };
 
 /// SemanticKITTI classes of the things that a mover may be.
@@ -28,6 +29,7 @@ inline constexpr Surface kForestFloor{72, 0.35F, 0.97F, 0.18F};
 inline constexpr Surface kFloor{48, 0.3F, 0.98F, 0.0F};
 inline constexpr Surface kFacade{50, 0.4F, 1.0F};
 inline constexpr Surface kWindow{50, 0.15F, 0.3F};
+inline constexpr Surface kPane{50, 0.15F, 0.3F, 0.0F, 0.6F};  ///< a window seen from inside
 inline constexpr Surface kWall{50, 0.6F, 1.0F};
 inline constexpr Surface kFence{51, 0.35F, 0.98F};
 inline constexpr Surface kLeaf{70, 0.45F, 0.95F};
@@ -38,7 +40,7 @@ inline constexpr Surface kFurniture{99, 0.4F, 0.98F};
 inline constexpr Surface kClothes{30, 0.35F, 0.97F};
 inline constexpr Surface kSkin{30, 0.5F, 0.98F};
 inline constexpr Surface kTyre{10, 0.08F, 0.9F};
-inline constexpr Surface kCarGlass{10, 0.1F, 0.45F};
+inline constexpr Surface kCarGlass{10, 0.1F, 0.6F, 0.0F, 0.5F};
 inline constexpr Surface kMetal{99, 0.5F, 0.98F};
 }  // namespace surfaces
 
