@@ -40,17 +40,43 @@ void build_shell(World* world, double from_m, double to_m, Random* random) {
   }
 }
 
-void furnish(World* world, double from_m, double to_m, Random* random) {
+/// Fills a room between two walls; returns what people walk around.
+std::vector<Obstacle> furnish(World* world, double from_m, double to_m, Random* random) {
+  std::vector<Obstacle> obstacles;
   for (double x = from_m + 1.6; x < to_m - 1.5; x += random->uniform(2.0, 3.2)) {
     const double side = random->chance(0.5) ? -1 : 1;
-    if (random->chance(0.7))
-      add_table(world, {x, side * random->uniform(2.0, 3.4)}, random->uniform(-0.3, 0.3));
+    if (random->chance(0.7)) {
+      const Vector2d at(x, side * random->uniform(2.0, 3.4));
+      add_table(world, at, random->uniform(-0.3, 0.3));
+      obstacles.push_back({at, 1.2});
+    }
     if (random->chance(0.5)) {  // a cupboard at the wall
+      const Vector2d at(x, -side * (kHalfWidth_m - 0.35));
       const double height_m = random->uniform(0.9, 2.1);
-      world->add_box(pose_at(x, -side * (kHalfWidth_m - 0.35), height_m / 2), {0.9, 0.5, height_m},
-                     surfaces::kFurniture);
+      world->add_box(pose_at(at.x(), at.y(), height_m / 2), {0.9, 0.5, height_m}, surfaces::kFurniture);
+      obstacles.push_back({at, 0.8});
     }
   }
+  return obstacles;
+}
+
+/// Doors stand open, but one is opened while we come. Returns the sensor's way through all the doorways.
+Path add_doors(World* world, const std::vector<double>& walls, double pace_mps, Random* random) {
+  constexpr std::size_t kOpenedWall = 2;
+  std::vector<Vector2d> way = {{walls.front() + 1, 0}};
+  for (std::size_t i = 1; i + 1 < walls.size(); ++i) {
+    const double door_y = random->uniform(-1.2, 1.2);
+    add_wall_with_doorway(world, walls[i], door_y);
+    const bool is_opened = i == kOpenedWall;
+    const double arrival_s = (walls[i] - 3.2) / pace_mps;  // of the one who walks ahead
+    const double opens_s = is_opened ? random->uniform(0.2, 0.6) * arrival_s : kNever_s;
+    const Vector2d hinge(walls[i] + kWall_m, door_y + kDoorWidth_m / 2);
+    add_door(world, hinge, is_opened ? -M_PI / 2 : -0.2, 1.7, opens_s, kDoorWidth_m - 0.04, kDoorHeight_m);
+    way.emplace_back(walls[i] - 0.7, door_y);
+    way.emplace_back(walls[i] + 0.7, door_y);
+  }
+  way.emplace_back(walls.back() - 0.8, 0);
+  return Path(std::move(way));
 }
 
 }  // namespace
@@ -65,32 +91,18 @@ Scene make_rooms(const SceneOptions& options) {
   while (walls.back() < way_m + 9 || walls.size() < 4) walls.push_back(walls.back() + random.uniform(4.5, 7));
   build_shell(&world, walls.front(), walls.back(), &random);
 
-  std::vector<Vector2d> way = {{walls.front() + 1, 0}};
-  for (std::size_t i = 1; i + 1 < walls.size(); ++i) {
-    const double door_y = random.uniform(-1.2, 1.2);
-    add_wall_with_doorway(&world, walls[i], door_y);
-    // Doors stand open, but one is opened while we come.
-    const double hinge_y = door_y + kDoorWidth_m / 2;
-    const bool opens = i == 2;
-    const double opens_s = opens ? random.uniform(0.15, 0.3) * options.duration_s : kNever_s;
-    add_door(&world, {walls[i] + kWall_m, hinge_y}, opens ? -M_PI / 2 : -0.2, 1.7, opens_s,
-             kDoorWidth_m - 0.04, kDoorHeight_m);
-    way.emplace_back(walls[i] - 0.7, door_y);
-    way.emplace_back(walls[i] + 0.7, door_y);
-  }
-  for (std::size_t i = 0; i + 1 < walls.size(); ++i) furnish(&world, walls[i], walls[i + 1], &random);
-  way.emplace_back(walls.back() - 0.8, 0);
-  const Path path(way);
-
+  const Path path = add_doors(&world, walls, pace_mps, &random);
   const double start_m = -walls.front() - 1;  // of the path: about x = 0
   add_person(&world, path, SpeedProfile::constant(pace_mps), &random, start_m + random.uniform(2.2, 3.2));
-  const int others = random.integer(2, 4);
-  for (int i = 0; i < others; ++i) {
-    const double x = random.uniform(-3, way_m + 6), side = random.chance(0.5) ? -1 : 1;
-    const Eigen::AlignedBox2d corner(Vector2d(x - 1.2, std::min(side * 1.2, side * 3.6)),
-                                     Vector2d(x + 1.2, std::max(side * 1.2, side * 3.6)));
-    add_person(&world, wander(corner, {}, 2 * options.duration_s, &random),
-               some_walk(options.duration_s, &random), &random);
+  for (std::size_t i = 0; i + 1 < walls.size(); ++i) {
+    const auto obstacles = furnish(&world, walls[i], walls[i + 1], &random);
+    const Eigen::AlignedBox2d room(Vector2d(walls[i] + 0.6, -kHalfWidth_m + 0.6),
+                                   Vector2d(walls[i + 1] - 0.6, kHalfWidth_m - 0.6));
+    const int people = random.integer(0, 2);
+    for (int person = 0; person < people; ++person) {
+      add_person(&world, wander(room, obstacles, 2 * options.duration_s, &random),
+                 some_walk(options.duration_s, &random), &random);
+    }
   }
   scene.T_map_sensor_at =
       carried(path, SpeedProfile::constant(options.ego_speed_mps), world.ground, {1.0, 0.3, 0, start_m});
