@@ -74,6 +74,7 @@ class VoxelBlock {
 
   std::uint32_t last_visit = 0;  ///< scan that last brought `idle` and `first_seen` up to date
   std::uint32_t last_hit = 0;    ///< scan that last hit a voxel of it
+  std::uint64_t standing = 0;    ///< of scan last_hit: cells (cell_mask.hpp) where it hit surface known to stand
 
  private:
   template <class BlockT, class Visitor>

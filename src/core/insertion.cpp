@@ -23,6 +23,7 @@ void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   const Eigen::Matrix3d R = T_map_sensor.linear();
   const Eigen::Vector3d t = T_map_sensor.translation();
   new_voxels.clear();
+  hit_blocks.clear();
   voxel_of_row.assign(scan.points.size(), VoxelRef{});
   BlockKey last_key(0, 0, 0);
   std::uint32_t last_block = VoxelRef::kNone;  // neighbouring rows mostly share a block
@@ -37,6 +38,7 @@ void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sens
       last_block = map.find_or_create_block(block);
       last_key = block;
       age(map.block(last_block), scan_count);
+      if (map.block(last_block).last_hit != scan_count) hit_blocks.push_back(last_block);
       map.block(last_block).last_hit = scan_count;
     }
     const int place = place_in_block(key);

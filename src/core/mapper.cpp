@@ -61,6 +61,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
   s.ended(Stage::kRangeImage);
   s.insert(scan, T_map_sensor);
   s.ended(Stage::kInsertion);
+  s.find_standing_surface();
   s.apply_evidence(view);  // eq. (2) to (8) for the voxels known before
   s.ended(Stage::kEvidence);
   s.replay_history(scan, T_map_sensor);  // the same for the new ones, with earlier scans

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cell_mask.hpp"
 #include "clusters.hpp"
 #include "ground.hpp"
 #include "scan_history.hpp"
@@ -44,6 +45,7 @@ struct Mapper::State {
   ProjectedScan projected;
   std::vector<VoxelRef> voxel_of_row;
   std::vector<NewVoxel> new_voxels;
+  std::vector<std::uint32_t> hit_blocks;
   std::vector<std::uint8_t> row_flags;
   Ground ground;
   Clusters clusters;
@@ -52,6 +54,8 @@ struct Mapper::State {
 
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);     // mapper.cpp
   void insert(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);          // insertion.cpp
+  void find_standing_surface();                                                  // standing.cpp
+  CellMask near_standing_surface(const BlockKey& key) const;                     // standing.cpp
   void apply_evidence(const ScanView& view);                                     // map_evidence.cpp
   void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);  // replay.cpp
   void decide();                                                                 // mapper.cpp

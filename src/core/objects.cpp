@@ -68,6 +68,20 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
       labels.label[row] = Label::kDynamic; labels.reason[row] = Reason::kReplacedVanished;
     }
   }
+  static const float OF = env("OF", 30), OS = env("OS", 0.8), GN = env("GN", 3);
+  if (OF > 0) {
+    std::vector<std::uint8_t> dyn(n, 0);
+    for (std::size_t row = 0; row < n; ++row) dyn[row] = voxel_of_row[row].exists() && labels.label[row] == Label::kDynamic;
+    static Clusters dc; dc.find(scan, projected, beams, dyn);
+    std::vector<int> size(dc.count(), 0);
+    for (std::size_t row = 0; row < n; ++row) if (dc.of_row()[row] >= 0) size[dc.of_row()[row]]++;
+    for (std::size_t row = 0; row < n; ++row) if (dyn[row]) {
+      const int sz = dc.of_row()[row] >= 0 ? size[dc.of_row()[row]] : 1;
+      const std::int32_t c = clusters.of_row()[row];
+      float sf = c < 0 ? (sz < GN ? 1 : 0) : votes[c].is_static / std::max(1.f, (float)(votes[c].is_static + votes[c].dynamic));
+      if (sz < OF && sf > OS) { labels.label[row] = Label::kUncertain; }
+    }
+  }
 }
 
 }  // namespace stillmap

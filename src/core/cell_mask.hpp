@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "stillmap/voxel_key.hpp"
+
+namespace stillmap {
+
+/// One bit for each cell of 2 x 2 x 2 voxels of a block: 4 x 4 x 4 cells, x fastest.
+using CellMask = std::uint64_t;
+
+inline int cell_of_place(int place) {
+  return (place >> 1 & 3) | (place >> (kBlockShift + 1) & 3) << 2 | (place >> (2 * kBlockShift + 1) & 3) << 4;
+}
+
+namespace cell_mask {
+
+/// Cells that are set, or whose neighbour along one axis is. `stride` is 1, 4 or 16 bits; `low` and `high` are the
+/// blocks before and after along that axis.
+inline CellMask grown_along(CellMask low, CellMask here, CellMask high, int stride, CellMask first_layer) {
+  const CellMask last_layer = first_layer << (3 * stride);
+  return here | (here << stride & ~first_layer) | (here >> stride & ~last_layer) |
+         (low >> (3 * stride) & first_layer) | (high << (3 * stride) & last_layer);
+}
+
+}  // namespace cell_mask
+
+/// The cells of the middle block that are set, or touch a set cell of the 3 x 3 x 3 blocks (x fastest): every voxel
+/// within two voxels of a set cell's voxel is covered.
+inline CellMask grown(const std::array<CellMask, 27>& blocks) {
+  constexpr CellMask kFirstX = 0x1111111111111111ULL, kFirstY = 0x000F000F000F000FULL, kFirstZ = 0xFFFFULL;
+  std::array<CellMask, 9> along_x;
+  for (int i = 0; i < 9; ++i)
+    along_x[i] = cell_mask::grown_along(blocks[3 * i], blocks[3 * i + 1], blocks[3 * i + 2], 1, kFirstX);
+  std::array<CellMask, 3> along_y;
+  for (int i = 0; i < 3; ++i)
+    along_y[i] = cell_mask::grown_along(along_x[3 * i], along_x[3 * i + 1], along_x[3 * i + 2], 4, kFirstY);
+  return cell_mask::grown_along(along_y[0], along_y[1], along_y[2], 16, kFirstZ);
+}
+
+}  // namespace stillmap
