@@ -42,7 +42,7 @@ NodeHarness::NodeHarness()
   subscribers_.push_back(nh_.subscribe<Status>("/stillmap/status", 100, keep_status));
   const boost::function<void(const rosgraph_msgs::LogConstPtr&)> keep_log =
       [this](const rosgraph_msgs::LogConstPtr& line) { log_.push_back(line->msg); };
-  subscribers_.push_back(nh_.subscribe<rosgraph_msgs::Log>("/rosout", 1000, keep_log));
+  log_subscriber_ = nh_.subscribe<rosgraph_msgs::Log>("/rosout", 1000, keep_log);
 }
 
 bool NodeHarness::wait_until(const std::function<bool()>& is_so, double patience_s) {
@@ -58,6 +58,7 @@ bool NodeHarness::wait_until(const std::function<bool()>& is_so, double patience
 bool NodeHarness::wait_for_connections() {
   return wait_until([this] {
     if (cloud_publisher_.getNumSubscribers() == 0) return false;
+    if (log_subscriber_.getNumPublishers() < 2) return false;  // this process and the node
     for (const ros::Subscriber& subscriber : subscribers_)
       if (subscriber.getNumPublishers() == 0) return false;
     return true;

@@ -47,6 +47,7 @@ class NodeHarness {
   ros::NodeHandle nh_;
   ros::Publisher cloud_publisher_, odometry_publisher_;
   std::vector<ros::Subscriber> subscribers_;
+  ros::Subscriber log_subscriber_;
   std::map<ros::Time, Answer> answers_;
   std::vector<std::string> log_;
 };

@@ -59,20 +59,22 @@ TEST(Parameters, AreRefusedByName) {
   expect_refused("odom_topic", "", "fixed_frame: needed when odom_topic is empty");
 }
 
-TEST(Manager, OutlivesARefusedNodeletAndLoadsAGoodOne) {
-  NodeHarness harness;
-  ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", ros::Duration(30)));
-  ASSERT_TRUE(harness.wait_until([] { return true; }));
+bool load_nodelet(const std::string& name) {
   nodelet::NodeletLoad load;
   load.request.type = "stillmap/StillmapNodelet";
-  load.request.name = "/refused";
+  load.request.name = name;
+  return ros::service::call("/manager/load_nodelet", load);
+}
+
+TEST(Manager, OutlivesARefusedNodelet) {
+  NodeHarness harness;
+  ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", ros::Duration(30)));
+  ASSERT_TRUE(load_nodelet("/stillmap"));
+  ASSERT_TRUE(harness.wait_for_connections());
   Given given("/refused");
   given.nh.setParam("voxel_size_m", 5.0);
-  ASSERT_TRUE(ros::service::call("/manager/load_nodelet", load));
+  load_nodelet("/refused");
   EXPECT_TRUE(harness.said("parameters of /refused: the method's parameters: voxel_size_m: 5 is not in"));
-  load.request.name = "/stillmap";
-  ASSERT_TRUE(ros::service::call("/manager/load_nodelet", load));
-  ASSERT_TRUE(harness.wait_for_connections());
   harness.publish(room_odometry(0));
   harness.publish(*room_cloud(0));
   EXPECT_NE(harness.answer(room_odometry(0).header.stamp), nullptr);

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing, by apt-get as root or with sudo.
+# Usage: scripts/setup.sh [MORE PACKAGES]
+set -euo pipefail
+
+packages=(
+  # ROS 1: build and message generation
+  catkin cmake make g++ python3-empy ros-message-generation ros-std-msgs
+  # ROS 1: libraries
+  libdiagnostic-updater-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev
+  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev pluginlib-dev
+  # ROS 1: tools at run time
+  libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-sensor-msgs python3-std-srvs rosout
+  # ROS 1: tests
+  librostest-dev python3-rostest python3-rosunit libgtest-dev
+  # Other libraries
+  libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libyaml-cpp-dev nlohmann-json3-dev
+  # Tools of the scripts
+  git "$@"
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then exit 0; fi
+
+echo "setup.sh: installing ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup.sh: run as root, or install sudo" >&2; exit 1; }
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get update
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
