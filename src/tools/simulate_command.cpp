@@ -58,9 +58,7 @@ void simulate_to_bag(const SimulateJob& job) {
 #endif
 
 void add_world_options(CLI::App& command, SimulationOptions& options) {
-  command
-      .add_option("--sensor", options.sensor,
-                  "vlp16, hdl32, hdl64, os1_64, os1_128, livox or mid360; the scene has its own")
+  command.add_option("--sensor", options.sensor, "The LiDAR; the scene has its own")
       ->check(CLI::IsMember(Simulator::sensor_names()));
   command.add_option("--seed", options.seed, "Changes layout, counts, speeds and noise")
       ->capture_default_str();
@@ -88,8 +86,7 @@ void add_simulate_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "simulate", "Record a simulated scene with known truth, as a SemanticKITTI folder or a bag");
   const auto job = std::make_shared<SimulateJob>();
-  command
-      ->add_option("SCENE", job->simulation.scene, "street, orchard, plaza, wood, rooms, highway or carpark")
+  command->add_option("SCENE", job->simulation.scene, "The world")
       ->required()
       ->check(CLI::IsMember(Simulator::scene_names()));
   command->add_option("OUT", job->out, "A folder, or a file that ends in .bag")->required();
