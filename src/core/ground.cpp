@@ -30,6 +30,19 @@ void Ground::fit(const Scan& scan, const ProjectedScan& projected, const Eigen::
   }
   const float seed = seed_height();
   for (int sector = 0; sector < kSectors; ++sector) walk(sector, seed);
+  static const int RF = getenv("RF") ? atoi(getenv("RF")) : 1;
+  if (!RF) return;
+  std::vector<float> sum(height_.size(), 0.0F), num(height_.size(), 0.0F);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if (!(projected.range_m[i] > 0)) continue;
+    const Eigen::Vector3f upright = R_map_sensor * scan.points[i];
+    const int ring = static_cast<int>(upright.head<2>().norm() / kRingM);
+    if (ring >= kRings) continue;
+    const int c = sector_of(upright) * kRings + ring;
+    const float h = upright.z() - height_[c];
+    if (h > -0.05F && h < 0.12F) { sum[c] += h; num[c] += 1; }
+  }
+  for (std::size_t c = 0; c < height_.size(); ++c) if (num[c] > 0) height_[c] += sum[c] / num[c];
 }
 
 float Ground::seed_height() const {
