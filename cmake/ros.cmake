@@ -5,7 +5,7 @@ file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
-  roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros)
+  roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros xmlrpcpp)
 
 add_message_files(FILES LabelledMap.msg Status.msg)
 add_service_files(DIRECTORY srv FILES SaveMap.srv)
@@ -15,5 +15,9 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES stillmap_core
   CATKIN_DEPENDS diagnostic_msgs diagnostic_updater geometry_msgs message_runtime nav_msgs nodelet pluginlib
-    rosbag_storage roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros
+    rosbag_storage roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros xmlrpcpp
   DEPENDS EIGEN3)
+
+install(DIRECTORY include/stillmap/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
