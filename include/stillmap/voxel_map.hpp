@@ -74,6 +74,8 @@ class VoxelBlock {
 
   std::uint32_t last_visit = 0;  ///< scan that last brought `idle` and `first_seen` up to date
   std::uint32_t last_hit = 0;    ///< scan that last hit a voxel of it
+  std::uint64_t moving = 0;  ///< of scan moving_scan: cells where it saw something that moves
+  std::uint32_t moving_scan = 0;
   std::uint64_t standing = 0;    ///< of scan last_hit: cells (cell_mask.hpp) where it hit surface known to stand
 
  private:

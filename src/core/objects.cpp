@@ -6,7 +6,7 @@ float env(const char* n, float d) { const char* e = getenv(n); return e ? atof(e
 
 /// What the rows of a cluster say.
 struct Votes {
-  int rows = 0, dynamic = 0, is_static = 0, undecided = 0, vanished = 0, tested = 0;
+  int rows = 0, dynamic = 0, is_static = 0, undecided = 0, vanished = 0, followed = 0, old_static = 0;
 };
 
 }  // namespace
@@ -26,6 +26,28 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
     if (h < GH) is_ground[row] = 1; else row_flags[row] = 1;
   }
   clusters.find(scan, projected, beams, row_flags);
+  static const int FO = env("FO", 1), FA = env("FA", 2), YA = env("YA", 10); static const float FF = env("FF", .5), FS = env("FS", .1);
+  std::vector<std::uint8_t> followed(n, 0), old_static(n, 0);
+  {
+    std::uint32_t lastb = VoxelRef::kNone; CellMask mask = 0;
+    for (std::size_t row = 0; row < n; ++row) {
+      if (clusters.of_row()[row] < 0) continue;
+      const VoxelRef ref = voxel_of_row[row];
+      if (ref.block != lastb) {
+        lastb = ref.block;
+        std::array<CellMask, 27> around{}; bool any = false;
+        if (FO) for (int i = 0; i < 27; ++i) {
+          const std::int64_t index = map.find_block(map.block(lastb).key() + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+          if (index < 0) continue;
+          const VoxelBlock& block = map.block(static_cast<std::uint32_t>(index));
+          if (block.moving_scan + FA >= scan_count && block.moving) { around[i] = block.moving; any = true; }
+        }
+        mask = any ? grown(around) : 0;
+      }
+      followed[row] = mask >> cell_of_place(ref.place) & 1;
+      if (labels.label[row] == Label::kStatic) old_static[row] = map.block(ref.block).at(ref.place).first_seen >= YA;
+    }
+  }
   std::vector<Votes> votes(clusters.count());
   const ScanView* last = history.recent(1);
   const ScanView* last2 = history.recent(2);
@@ -33,7 +55,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
     const std::int32_t c = clusters.of_row()[row];
     if (c < 0) continue;
     Votes& v = votes[c];
-    ++v.rows;
+    ++v.rows; v.followed += followed[row]; v.old_static += old_static[row];
     if (labels.label[row] == Label::kDynamic) ++v.dynamic;
     else if (labels.label[row] == Label::kStatic) ++v.is_static;
     else {
@@ -44,7 +66,6 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
         const Eigen::Vector3f q = past->to_sensor(p);
         const Spherical s = spherical(q);
         const MeasuredRange m = past->levels()[0].at(s.azimuth_rad, s.elevation_rad);
-        ++v.tested;
         if (!m.valid()) continue;
         const float I = m.farthest_m;
         if (s.range_m - I < 0.1f || s.range_m - I > VG) continue;
@@ -57,6 +78,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   const auto verdict = [&](const Votes& v, float dn, float dd, float dr, float ss, float sr, float vf) {
     const float decided = v.dynamic + v.is_static;
     if (v.dynamic >= dn && v.dynamic >= dd * v.rows && v.dynamic >= dr * decided) return Reason::kObjectMoves;
+    if (FO && v.followed >= FF * v.rows && v.followed >= dn && v.old_static <= FS * v.rows) return Reason::kObjectMoves;
     if (v.is_static >= ss * v.rows && v.is_static >= sr * decided) return Reason::kObjectStands;
     if (v.vanished >= VN && v.vanished >= vf * v.undecided && v.is_static <= VS * v.rows) return Reason::kReplacedVanished;
     return Reason::kMixedEvidence;
@@ -70,7 +92,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
     const std::int32_t c = clusters.of_row()[row];
     if (c < 0) continue;
     Votes& v = patches[patch_key(row)];
-    ++v.rows;
+    ++v.rows; v.followed += followed[row]; v.old_static += old_static[row];
     if (labels.label[row] == Label::kDynamic) ++v.dynamic;
     else if (labels.label[row] == Label::kStatic) ++v.is_static;
     else { ++v.undecided; v.vanished += row_vanished[row]; }
@@ -79,7 +101,8 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
     const std::int32_t c = clusters.of_row()[row];
     if (is_ground[row] && labels.label[row] == Label::kUncertain && GS) {
       labels.label[row] = Label::kStatic; labels.reason[row] = Reason::kObjectStands; continue; }
-    if (c < 0 || labels.label[row] != Label::kUncertain) continue;
+    static const int YO = env("YO", 0);
+    if (c < 0 || !(labels.label[row] == Label::kUncertain || (YO && labels.label[row] == Label::kStatic && !old_static[row]))) continue;
     Reason why = Reason::kMixedEvidence;
     if (PT) why = verdict(patches[patch_key(row)], PN, PD, PR_, PSS, PSR, PVF);
     if (why == Reason::kMixedEvidence) why = verdict(votes[c], DN, DD, DR, SS, SR, VF);
@@ -101,6 +124,12 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
       const float ar = OF / projected.range_m[row]; const float need = std::min(200.f, std::max(3.f, ar * ar / (beams.ring_spacing_rad * beams.azimuth_step_rad)));
       if (sz < need && sf > OS) { labels.label[row] = Label::kUncertain; }
     }
+  }
+  for (std::size_t row = 0; row < n; ++row) {
+    if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] < 0) continue;
+    VoxelBlock& block = map.block(voxel_of_row[row].block);
+    if (block.moving_scan != scan_count) { block.moving_scan = scan_count; block.moving = 0; }
+    block.moving |= CellMask{1} << cell_of_place(voxel_of_row[row].place);
   }
 }
 
