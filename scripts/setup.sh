@@ -15,6 +15,7 @@ packages=(
   librostest-dev python3-rostest python3-rosunit libgtest-dev
   # Other libraries
   libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libyaml-cpp-dev nlohmann-json3-dev
+  robin-map-dev
   # Tools of the scripts
   git "$@"
 )
