@@ -1,5 +1,6 @@
 #include "ros/scan_input.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "messages/frame_id.hpp"
