@@ -70,9 +70,10 @@ class FusedEvidence {
   /// dL of eq. (4) for an element that stands at `log_odds`.
   float increment(float log_odds) const {
     if (conflict_ < 0) return conflict_;
-    if (eta_ <= 0) return 0;
-    return support_increment(log_odds < 0 ? eta_when_dynamic_ : eta_, p_from_log_odds(log_odds));
+    return support_increment(eta(log_odds), p_from_log_odds(log_odds));
   }
+  /// The rate of support for it; 0 where there is none.
+  float eta(float log_odds) const { return log_odds < 0 ? eta_when_dynamic_ : eta_; }
 
  private:
   float conflict_ = 0;

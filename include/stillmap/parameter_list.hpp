@@ -61,8 +61,21 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   number("replay_support_min_age", "scans", 1, 100, p.replay_support_min_age,
          "support for a new voxel counts only from scans at least this old");
 
+  number("conflict_beside_surface", "", 0.0, 1.0, p.conflict_beside_surface,
+         "factor on a conflict where this scan hits, right beside, surface known to stand: leaves, edges, "
+         "pose noise");
+  flag("full_support_on_return", p.full_support_on_return,
+       "a voxel hit again after it was seen through gets the full support_rate: porous things do that, "
+       "movers do not");
+
   flag("resolve_objects", p.resolve_objects,
        "an object with a clear majority, or a known surface, decides its undecided points");
+  flag("follow_objects", p.follow_objects,
+       "an object where something moved in the last scans goes on moving");
+  flag("vanish_test", p.vanish_test,
+       "new surface right behind surface that vanished is the thing that moved there");
+  number("speck_size_m", "m", 0.0, 2.0, p.speck_size_m,
+         "moving pieces smaller than this on an object that stands are deferred; 0 = off");
 
   number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
          "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");

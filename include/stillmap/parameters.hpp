@@ -19,7 +19,7 @@ struct ParameterInfo {
 /// A `_r` list holds one value for all angular levels, or one for each.
 struct Parameters {
   // What a scan may say.
-  double min_range_m = 0.7;
+  double min_range_m = 0.4;
   double max_range_m = 100.0;
   double voxel_size_m = 0.1;
   std::vector<double> angular_levels_deg = {0.0};
@@ -53,8 +53,15 @@ struct Parameters {
   int history_spread = 10;
   int replay_support_min_age = 3;
 
+  // Porous things, sway and pose noise.
+  double conflict_beside_surface = 0.15;
+  bool full_support_on_return = true;
+
   // Objects and surfaces.
   bool resolve_objects = true;
+  bool follow_objects = true;
+  bool vanish_test = true;
+  double speck_size_m = 0.3;
 
   // The experiment's structure gates (section 2.1); 0 switches a gate off.
   int gate_voxel_support = 0;

@@ -38,9 +38,10 @@ inline Spherical spherical(const Eigen::Vector3f& point_sensor_m) {
           std::sqrt(flat * flat + point_sensor_m.z() * point_sensor_m.z())};
 }
 
-/// A scan in spherical coordinates; row i belongs to row i of the scan, range 0 = not judged.
+/// A scan in spherical coordinates; row i belongs to row i of the scan.
 struct ProjectedScan {
-  std::vector<float> azimuth_rad, elevation_rad, range_m;
+  std::vector<float> azimuth_rad, elevation_rad;
+  std::vector<float> range_m;                          ///< 0: no usable return; -1: farther than max_range_m
   float elevation_min_rad = 0, elevation_max_rad = 0;  ///< over the judged rows
   std::size_t judged = 0;                              ///< rows with range > 0
 

@@ -23,18 +23,19 @@ enum class Label : std::uint8_t {
 
 /// Why a point has its label.
 enum class Reason : std::uint8_t {
-  kNoReturn = 0,         ///< NaN, infinite, zero, or nearer than min_range_m
-  kOutOfRange = 1,       ///< farther than max_range_m: not judged
-  kNeverJudged = 2,      ///< no scan but this one says anything about the place
-  kMixedEvidence = 3,    ///< evidence on both sides: between the two thresholds
-  kSupported = 4,        ///< other scans returned from this surface
-  kSeenThroughNow = 5,   ///< this scan saw through a place that it also hits (edge of a moving thing)
-  kSeenThrough = 6,      ///< other scans saw through this place
-  kObjectMoves = 7,      ///< undecided by itself; belongs to an object whose decided points are dynamic
-  kObjectStands = 8,     ///< undecided by itself; belongs to an object or surface that is known to be static
-  kReplacedVanished = 9  ///< new surface right beside surface that vanished: the thing that moved there
+  kNoReturn = 0,          ///< NaN, infinite, zero, or nearer than min_range_m
+  kOutOfRange = 1,        ///< farther than max_range_m: not judged
+  kNeverJudged = 2,       ///< no scan but this one says anything about the place
+  kMixedEvidence = 3,     ///< evidence on both sides: between the two thresholds
+  kSupported = 4,         ///< other scans returned from this surface
+  kSeenThroughNow = 5,    ///< this scan saw through a place that it also hits (edge of a moving thing)
+  kSeenThrough = 6,       ///< earlier scans saw through this place
+  kObjectMoves = 7,       ///< undecided by itself; belongs to an object whose decided points are dynamic
+  kObjectStands = 8,      ///< undecided by itself; belongs to an object or surface that is known to be static
+  kReplacedVanished = 9,  ///< new surface right behind surface that vanished: the thing that moved there
+  kSeenThroughLater = 10  ///< by scans after the point's own; only from relabel()
 };
-inline constexpr int kReasonCount = 10;
+inline constexpr int kReasonCount = 11;
 
 const char* to_string(Label label);
 const char* to_string(Reason reason);

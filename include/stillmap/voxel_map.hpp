@@ -7,42 +7,11 @@
 #include <deque>
 #include <vector>
 
+#include "stillmap/cell_mask.hpp"
+#include "stillmap/voxel.hpp"
 #include "stillmap/voxel_key.hpp"
 
 namespace stillmap {
-
-/// A spatial element i. 8 bytes; a voxel that is not there was never hit.
-struct Voxel {
-  std::int16_t log_odds_fixed = 0;  ///< L of eq. (1), in steps of 1 / kLogOddsScale
-  std::uint8_t hits = 0;            ///< scans that returned from it, saturating
-  std::uint8_t conflicts = 0;       ///< scans that saw through it since it was last hit, saturating
-  std::uint8_t idle = 0;  ///< scans since it was last hit, saturating; brought up to date by a block's visit
-  std::uint8_t first_seen = 0;      ///< scans since its birth, saturating; as above
-  std::uint16_t surface = kCentre;  ///< where in the voxel the surface is: 5 bits an axis, x lowest
-
-  static constexpr std::uint16_t kCentre = 16 | 16 << 5 | 16 << 10;
-  static constexpr float kLogOddsScale = 2048.0F;
-  float log_odds() const { return log_odds_fixed / kLogOddsScale; }
-  /// Mean place of the returns, in voxel edges from the voxel's low corner.
-  Eigen::Vector3f surface_offset() const {
-    constexpr float kStep = 1.0F / 32.0F;
-    return {((surface & 31) + 0.5F) * kStep, ((surface >> 5 & 31) + 0.5F) * kStep,
-            ((surface >> 10 & 31) + 0.5F) * kStep};
-  }
-  /// The first return sets the place, later ones pull it by `weight`.
-  void move_surface(const Eigen::Vector3f& offset, float weight) {
-    const Eigen::Vector3f mean = surface_offset() + weight * (offset - surface_offset());
-    const auto bits = [](float value) {
-      return static_cast<unsigned>(std::min(31.0F, std::max(0.0F, value * 32.0F)));
-    };
-    surface = static_cast<std::uint16_t>(bits(mean.x()) | bits(mean.y()) << 5 | bits(mean.z()) << 10);
-  }
-
-  void set_log_odds(float value) {
-    log_odds_fixed = static_cast<std::int16_t>(value * kLogOddsScale + (value < 0 ? -0.5F : 0.5F));
-  }
-};
-static_assert(sizeof(Voxel) == 8);
 
 /// 8 x 8 x 8 voxels, of which only those ever hit are stored, by ascending place.
 class VoxelBlock {
@@ -72,11 +41,13 @@ class VoxelBlock {
     for_each_of(*this, visit);
   }
 
-  std::uint32_t last_visit = 0;  ///< scan that last brought `idle` and `first_seen` up to date
-  std::uint32_t last_hit = 0;    ///< scan that last hit a voxel of it
-  std::uint64_t moving = 0;  ///< of scan moving_scan: cells where it saw something that moves
-  std::uint32_t moving_scan = 0;
-  std::uint64_t standing = 0;    ///< of scan last_hit: cells (cell_mask.hpp) where it hit surface known to stand
+  /// Brings Voxel::idle and Voxel::age up to `scan`.
+  void age(std::uint32_t scan);
+
+  std::uint32_t hit_scan = 0;     ///< last scan that hit a voxel of it
+  CellMask standing = 0;          ///< of that scan: cells where it hit surface known to stand
+  std::uint32_t moving_scan = 0;  ///< last scan that saw something move in it
+  CellMask moving = 0;            ///< of that scan: the cells where it did
 
  private:
   template <class BlockT, class Visitor>
@@ -89,6 +60,7 @@ class VoxelBlock {
 
   static constexpr int kWords = kBlockVolume / 64;
   BlockKey key_;
+  std::uint32_t aged_scan_ = 0;
   std::array<std::uint64_t, kWords> occupied_{};
   std::array<std::uint16_t, kWords> before_{};  ///< stored voxels in the words before
   std::vector<Voxel> voxels_;

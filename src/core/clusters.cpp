@@ -6,7 +6,8 @@ namespace stillmap {
 
 void Clusters::find(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
                     const std::vector<std::uint8_t>& use) {
-  // Pixels a little finer than the beams: each ring has rows of its own, with at most one empty row between two.
+  // Pixels a little finer than the beams: each ring has rows of its own, with at most one empty row between
+  // two.
   grid_ = SphericalGrid(2.0F * geometry.azimuth_step_rad, 0.75F * geometry.ring_spacing_rad,
                         projected.elevation_min_rad, projected.elevation_max_rad);
   place_rows(projected, use);
@@ -26,8 +27,8 @@ void Clusters::place_rows(const ProjectedScan& projected, const std::vector<std:
   }
 }
 
-bool Clusters::together(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry, std::int32_t a,
-                        std::int32_t b) const {
+bool Clusters::together(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
+                        std::int32_t a, std::int32_t b) const {
   const float range_m = std::min(projected.range_m[a], projected.range_m[b]);
   const float spacing_rad = std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
   const float reach_m = 0.25F + 1.2F * spacing_rad * range_m;
@@ -36,7 +37,8 @@ bool Clusters::together(const Scan& scan, const ProjectedScan& projected, Sensor
 
 void Clusters::connect(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry) {
   parent_.resize(grid_.size());
-  for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel) parent_[pixel] = static_cast<std::int32_t>(pixel);
+  for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel)
+    parent_[pixel] = static_cast<std::int32_t>(pixel);
   const auto connect_to = [&](std::int32_t pixel, int column, int row) {
     if (row < 0 || row >= grid_.rows) return;
     const std::int32_t other = (column % grid_.columns) * grid_.rows + row;

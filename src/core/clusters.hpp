@@ -8,8 +8,8 @@
 
 namespace stillmap {
 
-/// Connected pieces of the surface in one scan, found on its image: two returns belong together when their pixels are
-/// neighbours and they lie closer than the beams' spacing there explains.
+/// Connected pieces of the surface in one scan, found on its image: two returns belong together when their
+/// pixels are neighbours and they lie closer than the beams' spacing there explains.
 class Clusters {
  public:
   static constexpr std::int32_t kNone = -1;

@@ -11,10 +11,12 @@ constexpr float kNothing = std::numeric_limits<float>::max();
 
 }  // namespace
 
-int Ground::sector_of(const Eigen::Vector3f& upright) {
+int Ground::cell_of(const Eigen::Vector3f& upright) {
   constexpr float kPi = 3.14159265358979F;
   const float turn = (fast_atan2(upright.y(), upright.x()) + kPi) / (2 * kPi);
-  return std::clamp(static_cast<int>(turn * kSectors), 0, kSectors - 1);
+  const int sector = std::clamp(static_cast<int>(turn * kSectors), 0, kSectors - 1);
+  const int ring = static_cast<int>(upright.head<2>().norm() / kRingM);
+  return ring < kRings ? sector * kRings + ring : -1;
 }
 
 void Ground::fit(const Scan& scan, const ProjectedScan& projected, const Eigen::Matrix3f& R_map_sensor) {
@@ -23,30 +25,36 @@ void Ground::fit(const Scan& scan, const ProjectedScan& projected, const Eigen::
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     if (!(projected.range_m[i] > 0)) continue;
     const Eigen::Vector3f upright = R_map_sensor * scan.points[i];
-    const int ring = static_cast<int>(upright.head<2>().norm() / kRingM);
-    if (ring >= kRings) continue;
-    float& lowest = lowest_[sector_of(upright) * kRings + ring];
-    lowest = std::min(lowest, upright.z());
+    const int cell = cell_of(upright);
+    if (cell >= 0) lowest_[cell] = std::min(lowest_[cell], upright.z());
   }
   const float seed = seed_height();
   for (int sector = 0; sector < kSectors; ++sector) walk(sector, seed);
-  static const int RF = getenv("RF") ? atoi(getenv("RF")) : 1;
-  if (!RF) return;
-  std::vector<float> sum(height_.size(), 0.0F), num(height_.size(), 0.0F);
+  settle_on_returns(scan, projected, R_map_sensor);
+}
+
+void Ground::settle_on_returns(const Scan& scan, const ProjectedScan& projected,
+                               const Eigen::Matrix3f& R_map_sensor) {
+  // The lowest return lies a few sigmas low: take the mean of what lies close to it.
+  constexpr float kBelowM = 0.05F, kAboveM = 0.12F;
+  sum_.assign(height_.size(), 0.0F);
+  count_.assign(height_.size(), 0.0F);
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     if (!(projected.range_m[i] > 0)) continue;
     const Eigen::Vector3f upright = R_map_sensor * scan.points[i];
-    const int ring = static_cast<int>(upright.head<2>().norm() / kRingM);
-    if (ring >= kRings) continue;
-    const int c = sector_of(upright) * kRings + ring;
-    const float h = upright.z() - height_[c];
-    if (h > -0.05F && h < 0.12F) { sum[c] += h; num[c] += 1; }
+    const int cell = cell_of(upright);
+    const float above = cell < 0 ? kAboveM : upright.z() - height_[cell];
+    if (above <= -kBelowM || above >= kAboveM) continue;
+    sum_[cell] += above;
+    count_[cell] += 1;
   }
-  for (std::size_t c = 0; c < height_.size(); ++c) if (num[c] > 0) height_[c] += sum[c] / num[c];
+  for (std::size_t cell = 0; cell < height_.size(); ++cell)
+    if (count_[cell] > 0) height_[cell] += sum_[cell] / count_[cell];
 }
 
 float Ground::seed_height() const {
-  // The low cells of the near field: a quantile, since a few may lie below the ground (reflections) and many above.
+  // The low cells of the near field: a quantile, since a few may lie below the ground (reflections) and many
+  // above.
   std::vector<float> near;
   for (int sector = 0; sector < kSectors; ++sector)
     for (int ring = 0; ring < 15; ++ring)
@@ -74,8 +82,8 @@ void Ground::walk(int sector, float seed) {
 }
 
 float Ground::height_above(const Eigen::Vector3f& upright) const {
-  const int ring = std::min(kRings - 1, static_cast<int>(upright.head<2>().norm() / kRingM));
-  return upright.z() - height_[sector_of(upright) * kRings + ring];
+  const int cell = cell_of(upright);
+  return cell < 0 ? std::numeric_limits<float>::infinity() : upright.z() - height_[cell];
 }
 
 }  // namespace stillmap

@@ -22,12 +22,15 @@ class Ground {
   static constexpr int kRings = 100;
   static constexpr float kRingM = 1.0F;
 
-  static int sector_of(const Eigen::Vector3f& upright);
+  static int cell_of(const Eigen::Vector3f& upright);  ///< -1 beyond the last ring
   float seed_height() const;
   void walk(int sector, float seed);
+  void settle_on_returns(const Scan& scan, const ProjectedScan& projected,
+                         const Eigen::Matrix3f& R_map_sensor);
 
-  std::vector<float> lowest_;  ///< per sector and ring; NaN = nothing there
+  std::vector<float> lowest_;  ///< per sector and ring; kNothing = no return
   std::vector<float> height_;  ///< of the ground, for all of them
+  std::vector<float> sum_, count_;
 };
 
 }  // namespace stillmap

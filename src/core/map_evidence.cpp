@@ -1,48 +1,58 @@
+#include <tbb/parallel_for.h>
+
 #include "mapper_state.hpp"
 
 namespace stillmap {
-namespace {
-constexpr std::uint8_t kReturned = 0x80;
-}
 
 void Mapper::State::apply_evidence(const ScanView& view) {
-  const float reach = static_cast<float>(parameters.max_range_m + map.block_size_m());
-  const Eigen::Matrix3f step = view.R_sensor_map * static_cast<float>(map.voxel_size_m());
-  static const float W = getenv("W") ? atof(getenv("W")) : .15;
-  for (std::uint32_t index = 0; index < map.block_count(); ++index) {
-    VoxelBlock& block = map.block(index);
-    const Eigen::Vector3f corner = view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
-    if (corner.norm() > reach) continue;
-    bool have_standing = false;
-    CellMask standing = 0;
-    block.for_each([&](int place, Voxel& voxel) {
-      const bool hit = block.last_hit == scan_count && voxel.idle == 0;
-      FusedEvidence evidence;
-      if (hit && parameters.hit_is_support) {
-        for (const LevelModel& model : models) evidence.support(model);
-      } else {
-        const VoxelKey key = voxel_key(BlockKey(0, 0, 0), place);
-        evidence = view.evidence(corner + step * (key.cast<float>() + voxel.surface_offset()), models);
-      }
-      float increment = 0;
-      switch (evidence.kind()) {
-        case Evidence::kUnknown:
-        case Evidence::kOcclusion: return;
-        case Evidence::kSupport:
-          increment = hit && (voxel.conflicts & kReturned) ? support_increment(models[0].eta, p_from_log_odds(voxel.log_odds())) : evidence.increment(voxel.log_odds());
-          break;
-        case Evidence::kConflict:
-          if (!have_standing) {
-            standing = near_standing_surface(block.key());
-            have_standing = true;
-          }
-          increment = evidence.increment(voxel.log_odds());
-          if (standing >> cell_of_place(place) & 1) increment *= W;
-          voxel.conflicts = voxel.conflicts < 127 ? voxel.conflicts + 1 : voxel.conflicts;
-      }
-      voxel.set_log_odds(recursion(voxel.log_odds(), increment));
-    });
-  }
+  find_standing_surface();
+  // Blocks own their voxels and read only what no other block writes: any order gives the same map.
+  tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(map.block_count()),
+                    [&](std::uint32_t index) { apply_evidence(view, map.block(index)); });
+}
+
+void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
+  const auto voxel_m = static_cast<float>(map.voxel_size_m());
+  const auto reach_m = static_cast<float>(parameters.max_range_m + 2 * map.block_size_m());
+  const Eigen::Vector3f corner =
+      view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
+  if (corner.norm() > reach_m) return;
+  block.age(scan_count);
+  const bool block_hit = block.hit_scan == scan_count;
+  const auto beside_surface = static_cast<float>(parameters.conflict_beside_surface);
+  CellMask surface = 0;
+  bool surface_known = false;
+
+  block.for_each([&](int place, Voxel& voxel) {
+    if (voxel.age == 0) return;  // new: replay judges it
+    const bool hit = block_hit && voxel.idle == 0;
+    if (hit && parameters.hit_is_support) {
+      const float log_odds = voxel.log_odds();
+      const bool full = parameters.full_support_on_return && voxel.came_back;
+      const float eta = full ? models.front().eta : own_hit().eta(log_odds);
+      voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_from_log_odds(log_odds))));
+      return;
+    }
+    const Eigen::Vector3f low = voxel_key(BlockKey::Zero(), place).cast<float>();
+    const Eigen::Vector3f surface_sensor_m =
+        corner + view.R_sensor_map * ((low + voxel.surface_offset()) * voxel_m);
+    const FusedEvidence evidence = view.evidence(surface_sensor_m, models);
+    if (evidence.kind() == Evidence::kUnknown) return;
+    float increment = evidence.increment(voxel.log_odds());
+    if (evidence.kind() == Evidence::kConflict) {
+      voxel.see_through();
+      if (!surface_known) surface = near_standing_surface(block.key());
+      surface_known = true;
+      if ((surface & cell_bit(place)) != 0) increment *= beside_surface;
+    }
+    voxel.set_log_odds(recursion(voxel.log_odds(), increment));
+  });
+}
+
+FusedEvidence Mapper::State::own_hit() const {
+  FusedEvidence hit;
+  for (const LevelModel& model : models) hit.support(model);
+  return hit;
 }
 
 }  // namespace stillmap

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "cell_mask.hpp"
+#include <tbb/task_arena.h>
+
 #include "clusters.hpp"
 #include "ground.hpp"
+#include "object_votes.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
@@ -26,7 +28,7 @@ struct NewVoxel {
   std::uint32_t row;  ///< of the scan: the return that made it
 };
 
-/// All that a Mapper holds. The steps of process() are its functions, each in the file named beside it.
+/// All that a Mapper holds. The steps of process() are its functions, each in the file named above it.
 struct Mapper::State {
   explicit State(const Parameters& parameters);
 
@@ -37,32 +39,75 @@ struct Mapper::State {
   GeometryEstimator geometry;
   VoxelMap map;
   ScanHistory history;
+  tbb::task_arena arena;
+  Voxel untold;  ///< a new voxel that no earlier scan said anything about
   StageListener* listener = nullptr;
   std::uint32_t scan_count = 0;
   std::int64_t stamp_ns = 0;
 
-  // Of the present scan; kept to spare their allocation.
+  // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
+  SensorGeometry beams;
   ProjectedScan projected;
   std::vector<VoxelRef> voxel_of_row;
   std::vector<NewVoxel> new_voxels;
   std::vector<std::uint32_t> hit_blocks;
-  std::vector<std::uint8_t> row_flags;
-  Ground ground;
-  Clusters clusters;
-  SensorGeometry beams;
   ScanLabels labels;
+  Ground ground;
+  Clusters clusters, moving_pieces;
+  std::vector<Votes> object_votes;
+  std::vector<RowClues> clues;           ///< by row
+  std::vector<std::uint8_t> takes_part;  ///< by row, for Clusters
 
-  ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);     // mapper.cpp
-  void insert(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);          // insertion.cpp
-  void find_standing_surface();                                                  // standing.cpp
-  CellMask near_standing_surface(const BlockKey& key) const;                     // standing.cpp
-  void apply_evidence(const ScanView& view);                                     // map_evidence.cpp
-  void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);  // replay.cpp
-  void decide();                                                                 // mapper.cpp
-  void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);  // objects.cpp
+  // mapper.cpp
+  ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  void evidence_of(const ScanView& view);
+  void decide(const ScanView& view);
+  Reason reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const;
   void ended(Stage stage) {
     if (listener != nullptr) listener->stage_ended(stage);
   }
+
+  // insertion.cpp
+  void insert(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  std::uint32_t enter_block(const BlockKey& key);
+
+  // map_evidence.cpp: every voxel compares its own range with I_O
+  void apply_evidence(const ScanView& view);
+  void apply_evidence(const ScanView& view, VoxelBlock& block);
+  FusedEvidence own_hit() const;
+
+  // nearest_voxel_evidence.cpp: the literal reading, only the nearest voxel of a pixel is judged
+  void apply_evidence_to_nearest(const ScanView& view);
+
+  // replay.cpp
+  void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  float replayed_log_odds(const Eigen::Vector3d& point_map_m) const;
+
+  // neighbourhood.cpp
+  void find_standing_surface();
+  CellMask near_standing_surface(const BlockKey& key) const;
+  CellMask near_moving(const BlockKey& key) const;
+  void remember_moving();
+  template <class CellsOf>
+  CellMask near(const BlockKey& key, CellsOf&& cells_of) const {
+    std::array<CellMask, 27> around{};
+    CellMask any = 0;
+    for (int i = 0; i < 27; ++i) {
+      const std::int64_t index = map.find_block(key + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+      if (index >= 0) any |= around[i] = cells_of(map.block(static_cast<std::uint32_t>(index)));
+    }
+    return any != 0 ? grown(around) : 0;
+  }
+
+  // objects.cpp, specks.cpp
+  void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
+  void separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void find_clues(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
+  bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
+                         const ScanView& view) const;
+  void decide_by_vote(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void settle(std::size_t row, Reason reason);
+  void defer_specks(const Scan& scan);
 };
 
 }  // namespace stillmap

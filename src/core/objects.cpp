@@ -1,136 +1,106 @@
+#include <tsl/robin_map.h>
+
 #include "mapper_state.hpp"
 
 namespace stillmap {
-namespace {
-float env(const char* n, float d) { const char* e = getenv(n); return e ? atof(e) : d; }
 
-/// What the rows of a cluster say.
-struct Votes {
-  int rows = 0, dynamic = 0, is_static = 0, undecided = 0, vanished = 0, followed = 0, old_static = 0;
-};
+void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                                    const ScanView& view) {
+  const Eigen::Matrix3f R_map_sensor = T_map_sensor.linear().cast<float>();
+  clues.assign(scan.points.size(), RowClues{});
+  separate_ground(scan, R_map_sensor);
+  clusters.find(scan, projected, beams, takes_part);
+  find_clues(scan, T_map_sensor, view);
+  decide_by_vote(scan, R_map_sensor);
+  defer_specks(scan);
+  remember_moving();
+}
 
-}  // namespace
-
-void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view) {
-  const std::size_t n = scan.points.size();
-  const Eigen::Matrix3f R = T_map_sensor.linear().cast<float>();
-  static const float GH = env("GH", 0.1), DD = env("DD", .15), DR = env("DR", .6), SS = env("SS", .3), SR = env("SR", .9), DN = env("DN", 4), VF = env("VF", .5), VG=env("VG",3), VN=env("VN",4), VS=env("VS",.1);
-  static const int ON = env("ON", 1), VV = env("VV", 1), GS = env("GS", 1);
-  if (!ON) return;
-  ground.fit(scan, projected, R);
-  row_flags.assign(n, 0);
-  std::vector<std::uint8_t> is_ground(n, 0), row_vanished(n, 0);
-  for (std::size_t row = 0; row < n; ++row) {
+void Mapper::State::separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  constexpr float kGroundM = 0.1F;
+  ground.fit(scan, projected, R_map_sensor);
+  takes_part.assign(scan.points.size(), 0);
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
     if (!voxel_of_row[row].exists()) continue;
-    const float h = ground.height_above(R * scan.points[row]);
-    if (h < GH) is_ground[row] = 1; else row_flags[row] = 1;
+    clues[row].ground = ground.height_above(R_map_sensor * scan.points[row]) < kGroundM;
+    takes_part[row] = !clues[row].ground;
+    // Newly seen ground continues known ground.
+    if (clues[row].ground && labels.label[row] == Label::kUncertain) settle(row, Reason::kObjectStands);
   }
-  clusters.find(scan, projected, beams, row_flags);
-  static const int FO = env("FO", 1), FA = env("FA", 2), YA = env("YA", 10); static const float FF = env("FF", .5), FS = env("FS", .1);
-  std::vector<std::uint8_t> followed(n, 0), old_static(n, 0);
-  {
-    std::uint32_t lastb = VoxelRef::kNone; CellMask mask = 0;
-    for (std::size_t row = 0; row < n; ++row) {
-      if (clusters.of_row()[row] < 0) continue;
-      const VoxelRef ref = voxel_of_row[row];
-      if (ref.block != lastb) {
-        lastb = ref.block;
-        std::array<CellMask, 27> around{}; bool any = false;
-        if (FO) for (int i = 0; i < 27; ++i) {
-          const std::int64_t index = map.find_block(map.block(lastb).key() + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-          if (index < 0) continue;
-          const VoxelBlock& block = map.block(static_cast<std::uint32_t>(index));
-          if (block.moving_scan + FA >= scan_count && block.moving) { around[i] = block.moving; any = true; }
-        }
-        mask = any ? grown(around) : 0;
-      }
-      followed[row] = mask >> cell_of_place(ref.place) & 1;
-      if (labels.label[row] == Label::kStatic) old_static[row] = map.block(ref.block).at(ref.place).first_seen >= YA;
+}
+
+void Mapper::State::find_clues(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                               const ScanView& view) {
+  constexpr int kYoungScans = 10;
+  const std::array<const ScanView*, 4> before = {history.recent(1), history.recent(2), history.recent(4),
+                                                 history.recent(8)};
+  std::uint32_t last_block = VoxelRef::kNone;
+  CellMask moving_near = 0;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    if (clusters.of_row()[row] == Clusters::kNone) continue;
+    const VoxelRef at = voxel_of_row[row];
+    if (at.block != last_block) {
+      last_block = at.block;
+      moving_near = parameters.follow_objects ? near_moving(map.block(at.block).key()) : CellMask{0};
     }
+    RowClues& clue = clues[row];
+    const auto place = static_cast<int>(at.place);
+    clue.followed = (moving_near & cell_bit(place)) != 0;
+    clue.established =
+        labels.label[row] == Label::kStatic && map.block(at.block).at(place).age >= kYoungScans;
+    clue.tested = parameters.vanish_test && labels.label[row] != Label::kDynamic && !clue.established;
+    if (!clue.tested) continue;
+    const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[row].cast<double>();
+    for (const ScanView* earlier : before)
+      clue.vanished = clue.vanished || (earlier != nullptr && replaced_vanished(point_map_m, *earlier, view));
   }
-  std::vector<Votes> votes(clusters.count());
-  const ScanView* last = history.recent(1);
-  const ScanView* last2 = history.recent(2);
-  for (std::size_t row = 0; row < n; ++row) {
-    const std::int32_t c = clusters.of_row()[row];
-    if (c < 0) continue;
-    Votes& v = votes[c];
-    ++v.rows; v.followed += followed[row]; v.old_static += old_static[row];
-    if (labels.label[row] == Label::kDynamic) ++v.dynamic;
-    else if (labels.label[row] == Label::kStatic) ++v.is_static;
-    else {
-      ++v.undecided;
-      if (VV) for (const ScanView* past : {last, last2}) {
-        if (!past) continue;
-        const Eigen::Vector3d p = T_map_sensor * scan.points[row].cast<double>();
-        const Eigen::Vector3f q = past->to_sensor(p);
-        const Spherical s = spherical(q);
-        const MeasuredRange m = past->levels()[0].at(s.azimuth_rad, s.elevation_rad);
-        if (!m.valid()) continue;
-        const float I = m.farthest_m;
-        if (s.range_m - I < 0.1f || s.range_m - I > VG) continue;
-        const Eigen::Vector3d o = past->origin_map_m + (p - past->origin_map_m) * (I / s.range_m);
-        if (view.evidence(view.to_sensor(o), models).kind() == Evidence::kConflict) { ++v.vanished; row_vanished[row] = 1; break; }
-      }
-    }
-  }
-  static const int PT = env("PT", 1); static const float PS = env("PS", 1.0), PD = env("PD", .1), PR_=env("PR",.6), PSS=env("PSS",.5), PSR=env("PSR",.9), PN=env("PN",4), PVF=env("PVF",.5);
-  const auto verdict = [&](const Votes& v, float dn, float dd, float dr, float ss, float sr, float vf) {
-    const float decided = v.dynamic + v.is_static;
-    if (v.dynamic >= dn && v.dynamic >= dd * v.rows && v.dynamic >= dr * decided) return Reason::kObjectMoves;
-    if (FO && v.followed >= FF * v.rows && v.followed >= dn && v.old_static <= FS * v.rows) return Reason::kObjectMoves;
-    if (v.is_static >= ss * v.rows && v.is_static >= sr * decided) return Reason::kObjectStands;
-    if (v.vanished >= VN && v.vanished >= vf * v.undecided && v.is_static <= VS * v.rows) return Reason::kReplacedVanished;
-    return Reason::kMixedEvidence;
+}
+
+bool Mapper::State::replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
+                                      const ScanView& view) const {
+  constexpr float kNearestM = 0.1F, kFarthestM = 3.0F;  // how far a thing moves away in a few scans
+  const Spherical s = spherical(earlier.to_sensor(point_map_m));
+  const MeasuredRange measured = earlier.levels().front().at(s.azimuth_rad, s.elevation_rad);
+  const float hidden_by_m = s.range_m - measured.farthest_m;
+  if (!measured.valid() || hidden_by_m < kNearestM || hidden_by_m > kFarthestM) return false;
+  const Eigen::Vector3d hider_map_m =
+      earlier.origin_map_m + (point_map_m - earlier.origin_map_m) * (measured.farthest_m / s.range_m);
+  return view.evidence(view.to_sensor(hider_map_m), models).kind() == Evidence::kConflict;
+}
+
+void Mapper::State::decide_by_vote(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  constexpr float kPatchM = 1.0F, kPatchStatic = 0.5F, kObjectStatic = 0.3F;
+  const auto patch_of = [&](std::size_t row) {
+    const Eigen::Vector3i cell = (R_map_sensor * scan.points[row] / kPatchM).array().floor().cast<int>();
+    return packed(cell) ^ BlockKeyHash {}(static_cast<std::uint64_t>(clusters.of_row()[row]) + 1);
   };
-  tsl::robin_map<std::uint64_t, Votes, BlockKeyHash> patches;
-  const auto patch_key = [&](std::size_t row) {
-    const Eigen::Vector3i k = ((R * scan.points[row]) / PS).array().floor().cast<int>();
-    return packed(k) ^ (static_cast<std::uint64_t>(clusters.of_row()[row]) * 0x9E3779B97F4A7C15ULL);
-  };
-  if (PT) for (std::size_t row = 0; row < n; ++row) {
-    const std::int32_t c = clusters.of_row()[row];
-    if (c < 0) continue;
-    Votes& v = patches[patch_key(row)];
-    ++v.rows; v.followed += followed[row]; v.old_static += old_static[row];
-    if (labels.label[row] == Label::kDynamic) ++v.dynamic;
-    else if (labels.label[row] == Label::kStatic) ++v.is_static;
-    else { ++v.undecided; v.vanished += row_vanished[row]; }
+  object_votes.assign(clusters.count(), Votes{});
+  tsl::robin_map<std::uint64_t, Votes> patches;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    const std::int32_t object = clusters.of_row()[row];
+    if (object == Clusters::kNone) continue;
+    object_votes[object].add(labels.label[row], clues[row]);
+    patches[patch_of(row)].add(labels.label[row], clues[row]);
   }
-  for (std::size_t row = 0; row < n; ++row) {
-    const std::int32_t c = clusters.of_row()[row];
-    if (is_ground[row] && labels.label[row] == Label::kUncertain && GS) {
-      labels.label[row] = Label::kStatic; labels.reason[row] = Reason::kObjectStands; continue; }
-    static const int YO = env("YO", 0);
-    if (c < 0 || !(labels.label[row] == Label::kUncertain || (YO && labels.label[row] == Label::kStatic && !old_static[row]))) continue;
-    Reason why = Reason::kMixedEvidence;
-    if (PT) why = verdict(patches[patch_key(row)], PN, PD, PR_, PSS, PSR, PVF);
-    if (why == Reason::kMixedEvidence) why = verdict(votes[c], DN, DD, DR, SS, SR, VF);
-    if (why == Reason::kMixedEvidence) continue;
-    labels.label[row] = why == Reason::kObjectStands ? Label::kStatic : Label::kDynamic;
-    labels.reason[row] = why;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    const std::int32_t object = clusters.of_row()[row];
+    const bool just_static = labels.label[row] == Label::kStatic && !clues[row].established;
+    if (object == Clusters::kNone || !(labels.label[row] == Label::kUncertain || just_static)) continue;
+    Reason reason = patches.find(patch_of(row))->second.verdict(kPatchStatic);
+    if (reason == Reason::kMixedEvidence) reason = object_votes[object].verdict(kObjectStatic);
+    if (reason == Reason::kMixedEvidence) continue;
+    if (just_static && reason != Reason::kReplacedVanished && !object_votes[object].moves_as_a_whole())
+      continue;
+    settle(row, reason);
   }
-  static const float OF = env("OF", .3), OS = env("OS", 0.8), GN = env("GN", 3);
-  if (OF > 0) {
-    std::vector<std::uint8_t> dyn(n, 0);
-    for (std::size_t row = 0; row < n; ++row) dyn[row] = voxel_of_row[row].exists() && labels.label[row] == Label::kDynamic;
-    static Clusters dc; dc.find(scan, projected, beams, dyn);
-    std::vector<int> size(dc.count(), 0);
-    for (std::size_t row = 0; row < n; ++row) if (dc.of_row()[row] >= 0) size[dc.of_row()[row]]++;
-    for (std::size_t row = 0; row < n; ++row) if (dyn[row]) {
-      const int sz = dc.of_row()[row] >= 0 ? size[dc.of_row()[row]] : 1;
-      const std::int32_t c = clusters.of_row()[row];
-      float sf = c < 0 ? (sz < GN ? 1 : 0) : votes[c].is_static / std::max(1.f, (float)(votes[c].is_static + votes[c].dynamic));
-      const float ar = OF / projected.range_m[row]; const float need = std::min(200.f, std::max(3.f, ar * ar / (beams.ring_spacing_rad * beams.azimuth_step_rad)));
-      if (sz < need && sf > OS) { labels.label[row] = Label::kUncertain; }
-    }
-  }
-  for (std::size_t row = 0; row < n; ++row) {
-    if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] < 0) continue;
-    VoxelBlock& block = map.block(voxel_of_row[row].block);
-    if (block.moving_scan != scan_count) { block.moving_scan = scan_count; block.moving = 0; }
-    block.moving |= CellMask{1} << cell_of_place(voxel_of_row[row].place);
-  }
+}
+
+void Mapper::State::settle(std::size_t row, Reason reason) {
+  const bool stands = reason == Reason::kObjectStands;
+  labels.label[row] = stands ? Label::kStatic : Label::kDynamic;
+  labels.reason[row] = reason;
+  labels.p_static[row] = stands ? std::max(labels.p_static[row], decision.p_static_min)
+                                : std::min(labels.p_static[row], decision.p_dynamic_max);
 }
 
 }  // namespace stillmap

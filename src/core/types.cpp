@@ -33,13 +33,15 @@ const char* to_string(Reason reason) {
     case Reason::kSeenThroughNow:
       return "seen through by this scan";
     case Reason::kSeenThrough:
-      return "seen through by other scans";
+      return "seen through by earlier scans";
     case Reason::kObjectMoves:
       return "belongs to an object that moves";
     case Reason::kObjectStands:
       return "belongs to a surface that stands";
     case Reason::kReplacedVanished:
-      return "beside surface that vanished";
+      return "behind surface that vanished";
+    case Reason::kSeenThroughLater:
+      return "seen through by later scans";
   }
   return "?";
 }

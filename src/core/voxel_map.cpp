@@ -1,5 +1,7 @@
 #include "stillmap/voxel_map.hpp"
 
+#include <algorithm>
+
 namespace stillmap {
 
 Voxel& VoxelBlock::find_or_create(int place, bool& created) {
@@ -12,6 +14,16 @@ Voxel& VoxelBlock::find_or_create(int place, bool& created) {
     for (int later = word + 1; later < kWords; ++later) ++before_[later];
   }
   return voxels_[index];
+}
+
+void VoxelBlock::age(std::uint32_t scan) {
+  const std::uint32_t scans = scan - aged_scan_;
+  aged_scan_ = scan;
+  if (scans == 0) return;
+  for (Voxel& voxel : voxels_) {
+    voxel.idle = static_cast<std::uint8_t>(std::min(255U, voxel.idle + scans));
+    voxel.age = static_cast<std::uint8_t>(std::min(255U, voxel.age + scans));
+  }
 }
 
 std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {

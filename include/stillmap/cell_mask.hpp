@@ -10,14 +10,16 @@ namespace stillmap {
 /// One bit for each cell of 2 x 2 x 2 voxels of a block: 4 x 4 x 4 cells, x fastest.
 using CellMask = std::uint64_t;
 
-inline int cell_of_place(int place) {
-  return (place >> 1 & 3) | (place >> (kBlockShift + 1) & 3) << 2 | (place >> (2 * kBlockShift + 1) & 3) << 4;
+inline CellMask cell_bit(int place) {
+  const int cell =
+      (place >> 1 & 3) | (place >> (kBlockShift + 1) & 3) << 2 | (place >> (2 * kBlockShift + 1) & 3) << 4;
+  return CellMask{1} << cell;
 }
 
 namespace cell_mask {
 
-/// Cells that are set, or whose neighbour along one axis is. `stride` is 1, 4 or 16 bits; `low` and `high` are the
-/// blocks before and after along that axis.
+/// Cells that are set, or whose neighbour along one axis is. `stride` is 1, 4 or 16 bits; `low` and `high`
+/// are the blocks before and after along that axis.
 inline CellMask grown_along(CellMask low, CellMask here, CellMask high, int stride, CellMask first_layer) {
   const CellMask last_layer = first_layer << (3 * stride);
   return here | (here << stride & ~first_layer) | (here >> stride & ~last_layer) |
@@ -26,8 +28,8 @@ inline CellMask grown_along(CellMask low, CellMask here, CellMask high, int stri
 
 }  // namespace cell_mask
 
-/// The cells of the middle block that are set, or touch a set cell of the 3 x 3 x 3 blocks (x fastest): every voxel
-/// within two voxels of a set cell's voxel is covered.
+/// The cells of the middle block that are set, or touch a set cell of the 3 x 3 x 3 blocks (x fastest): every
+/// voxel within two voxels of a set cell's voxel is covered.
 inline CellMask grown(const std::array<CellMask, 27>& blocks) {
   constexpr CellMask kFirstX = 0x1111111111111111ULL, kFirstY = 0x000F000F000F000FULL, kFirstZ = 0xFFFFULL;
   std::array<CellMask, 9> along_x;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+
+namespace stillmap {
+
+/// A spatial element i. 8 bytes; a voxel that is not there was never hit.
+struct Voxel {
+  std::int16_t log_odds_fixed = 0;  ///< L of eq. (1), in steps of 1 / kLogOddsScale
+  std::uint16_t surface = kCentre;  ///< where in the voxel its returns lie: 5 bits an axis, x lowest
+  std::uint8_t hits = 0;            ///< scans that returned from it, saturating
+  std::uint8_t idle = 0;            ///< scans since it was last hit, saturating; see VoxelBlock::age()
+  std::uint8_t age = 0;             ///< scans since it was first hit, likewise
+  std::uint8_t seen_through : 7;    ///< scans that saw through it, saturating
+  std::uint8_t came_back : 1;       ///< hit again after it was seen through, as porous things are
+
+  Voxel() : seen_through(0), came_back(0) {}
+
+  static constexpr float kLogOddsScale = 2048.0F;
+  float log_odds() const { return log_odds_fixed / kLogOddsScale; }
+  void set_log_odds(float value) {
+    log_odds_fixed = static_cast<std::int16_t>(value * kLogOddsScale + (value < 0 ? -0.5F : 0.5F));
+  }
+
+  /// A return of the present scan from it; `offset` is its place in voxel edges from the low corner.
+  void hit(const Eigen::Vector3f& offset) {
+    constexpr float kNewReturn = 0.25F;  // weight against the returns before
+    const bool first = hits == 0;
+    if (first || idle > 0) {
+      came_back = seen_through > 0 && idle >= 2;
+      if (hits < 0xFF) ++hits;
+    }
+    idle = 0;
+    const Eigen::Vector3f before = surface_offset();
+    const Eigen::Vector3f mean = first ? offset : before + kNewReturn * (offset - before);
+    surface = static_cast<std::uint16_t>(bits(mean.x()) | bits(mean.y()) << 5 | bits(mean.z()) << 10);
+  }
+  void see_through() {
+    if (seen_through < 0x7F) seen_through = static_cast<std::uint8_t>(seen_through + 1) & 0x7F;
+  }
+  /// Mean place of its returns, in voxel edges from the low corner.
+  Eigen::Vector3f surface_offset() const {
+    constexpr float kStep = 1.0F / 32.0F;
+    return {((surface & 31) + 0.5F) * kStep, ((surface >> 5 & 31) + 0.5F) * kStep,
+            ((surface >> 10 & 31) + 0.5F) * kStep};
+  }
+
+ private:
+  static constexpr std::uint16_t kCentre = 16 | 16 << 5 | 16 << 10;
+  static unsigned bits(float offset) {
+    return static_cast<unsigned>(std::clamp(offset * 32.0F, 0.0F, 31.0F));
+  }
+};
+static_assert(sizeof(Voxel) == 8);
+
+}  // namespace stillmap

@@ -1,0 +1,40 @@
+#include "mapper_state.hpp"
+
+namespace stillmap {
+
+void Mapper::State::find_standing_surface() {
+  constexpr int kEstablishedHits = 3;
+  const float established = log_odds_from_p(decision.p_static_min);
+  for (const std::uint32_t index : hit_blocks) {
+    VoxelBlock& block = map.block(index);
+    block.standing = 0;
+    block.for_each([&](int place, const Voxel& voxel) {
+      if (voxel.idle == 0 && voxel.hits >= kEstablishedHits && voxel.log_odds() >= established)
+        block.standing |= cell_bit(place);
+    });
+  }
+}
+
+CellMask Mapper::State::near_standing_surface(const BlockKey& key) const {
+  return near(key,
+              [this](const VoxelBlock& b) { return b.hit_scan == scan_count ? b.standing : CellMask{0}; });
+}
+
+CellMask Mapper::State::near_moving(const BlockKey& key) const {
+  constexpr std::uint32_t kMemoryScans = 2;
+  return near(key, [this](const VoxelBlock& b) {
+    return b.moving_scan + kMemoryScans >= scan_count ? b.moving : CellMask{0};
+  });
+}
+
+void Mapper::State::remember_moving() {
+  for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
+    if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] == Clusters::kNone) continue;
+    VoxelBlock& block = map.block(voxel_of_row[row].block);
+    if (block.moving_scan != scan_count) block.moving = 0;
+    block.moving_scan = scan_count;
+    block.moving |= cell_bit(static_cast<int>(voxel_of_row[row].place));
+  }
+}
+
+}  // namespace stillmap

@@ -1,0 +1,41 @@
+#include "object_votes.hpp"
+
+namespace stillmap {
+namespace {
+
+constexpr int kFew = 4;  // rows that prove nothing
+
+}  // namespace
+
+void Votes::add(Label label, const RowClues& clues) {
+  ++rows;
+  dynamic += label == Label::kDynamic;
+  is_static += label == Label::kStatic;
+  established += clues.established;
+  followed += clues.followed;
+  tested += clues.tested;
+  vanished += clues.vanished;
+}
+
+Reason Votes::verdict(float static_share) const {
+  constexpr float kDynamicShare = 0.1F, kDynamicMajority = 0.6F, kStaticMajority = 0.9F;
+  constexpr float kHalf = 0.5F, kHardlyAny = 0.1F;
+  const auto decided = static_cast<float>(dynamic + is_static);
+  const auto all = static_cast<float>(rows);
+  const bool known_before = established > kHardlyAny * all;
+  if (dynamic >= kFew && dynamic >= kDynamicShare * all && dynamic >= kDynamicMajority * decided)
+    return Reason::kObjectMoves;
+  if (followed >= kFew && followed >= kHalf * all && !known_before) return Reason::kObjectMoves;
+  if (vanished >= kFew && vanished >= kHalf * static_cast<float>(tested) && !known_before)
+    return Reason::kReplacedVanished;
+  if (is_static >= static_share * all && is_static >= kStaticMajority * decided) return Reason::kObjectStands;
+  return Reason::kMixedEvidence;
+}
+
+bool Votes::moves_as_a_whole() const {
+  constexpr float kMajority = 0.5F, kNone = 0.05F;
+  return established <= kNone * static_cast<float>(rows) &&
+         dynamic >= kMajority * static_cast<float>(dynamic + is_static);
+}
+
+}  // namespace stillmap

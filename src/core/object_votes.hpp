@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stillmap/types.hpp"
+
+namespace stillmap {
+
+/// What objects.cpp found out about one row of the scan, beside its own label.
+struct RowClues {
+  bool ground = false;       ///< lies on the ground: never part of an object
+  bool established = false;  ///< static, on surface known for a while
+  bool followed = false;     ///< right beside what moved in the last scans
+  bool tested = false;       ///< the vanish test was made: the row is undecided, or only just static
+  bool vanished = false;     ///< what stood right before it, seen from here, is gone
+};
+
+/// What the rows of an object, or of a patch of one, say together.
+struct Votes {
+  int rows = 0, dynamic = 0, is_static = 0;
+  int established = 0, followed = 0, tested = 0, vanished = 0;
+
+  void add(Label label, const RowClues& clues);
+  /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.
+  Reason verdict(float static_share) const;
+  /// So clearly moving that rows which only just turned static are taken along.
+  bool moves_as_a_whole() const;
+};
+
+}  // namespace stillmap
