@@ -2,6 +2,8 @@
 #include <exception>
 #include <iostream>
 
+#include "tools/evaluate_command.hpp"
+#include "tools/inject_command.hpp"
 #include "tools/label_command.hpp"
 #include "tools/parameters_command.hpp"
 #include "tools/simulate_command.hpp"
@@ -17,6 +19,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   stillmap::add_label_command(app);
   stillmap::add_simulate_command(app);
+  stillmap::add_evaluate_command(app);
+  stillmap::add_inject_command(app);
   stillmap::add_parameters_command(app);
 #if STILLMAP_WITH_ROS
   stillmap::add_bag_command(app);

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <thread>
 
 #include "io/atomic_file.hpp"
+#include "tools/cpu_model.hpp"
 #include "tools/version.hpp"
 
 namespace stillmap {
@@ -59,17 +59,6 @@ Json to_json(const Parameters& parameters) {
   return json;
 }
 
-Json machine() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string model = "unknown";
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) {
-      model = line.substr(line.find(": ") + 2);
-      break;
-    }
-  return {{"cpu", model}, {"cores", std::thread::hardware_concurrency()}};
-}
-
 double peak_rss_mb() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -115,7 +104,7 @@ void write_summary(const std::string& path, const RunSummary& summary, const Eng
                {"peak_rss_mb", peak_rss_mb()},
                {"labels", {{"online", to_json(summary.online)}}},
                {"parameters", to_json(parameters)},
-               {"machine", machine()},
+               {"machine", {{"cpu", cpu_model()}, {"cores", std::thread::hardware_concurrency()}}},
                {"version", kVersion},
                {"git_revision", kGitRevision}};
   if (summary.final.scans > 0) json["labels"]["final"] = to_json(summary.final);

@@ -13,10 +13,16 @@ namespace stillmap {
 
 void SequenceOptions::add_to(CLI::App& command) {
   command.add_option("SEQUENCE", path, "Folder in SemanticKITTI layout, or a .bag")->required();
+  add_bag_options_to(command);
+}
+
+void SequenceOptions::add_bag_options_to(CLI::App& command) {
   const std::string group = "Bags";
   command.add_option("--cloud-topic", cloud_topic, "PointCloud2 topic; not needed when the bag has one")
+      ->capture_default_str()
       ->group(group);
   command.add_option("--odom-topic", odom_topic, "Odometry topic; not needed when the bag has one")
+      ->capture_default_str()
       ->group(group);
   command.add_option("--cloud-frame", cloud_frame, "Frame that the clouds' points are in")
       ->check(CLI::IsMember({"world", "body", "sensor"}))

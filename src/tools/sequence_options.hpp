@@ -20,6 +20,7 @@ struct SequenceOptions {
   std::string sensor_on_body = "0 0 0 0 0 0 1";
 
   void add_to(CLI::App& command);
+  void add_bag_options_to(CLI::App& command);  ///< without the path
   std::unique_ptr<Sequence> open() const;
 };
 

@@ -1,0 +1,47 @@
+#include "evaluation/ablation.hpp"
+
+#include <utility>
+
+#include "evaluation/stillmap_method.hpp"
+#include "io/parameters_yaml.hpp"
+
+namespace stillmap {
+namespace {
+
+/// What takes one addition away: parameter names and values in YAML.
+struct AblationSwitch {
+  const char* name;
+  std::vector<std::pair<const char*, const char*>> settings;
+};
+
+const std::vector<AblationSwitch>& switches() {
+  static const std::vector<AblationSwitch> kSwitches = {
+      {"no objects and surfaces", {{"resolve_objects", "false"}}},
+      {"no replay of earlier scans", {{"history_recent", "0"}, {"history_spread", "0"}}},
+      {"no replay chosen by place", {{"history_spread", "0"}}},
+      {"replayed support of any age", {{"replay_support_min_age", "1"}}},
+      {"full support while dynamic", {{"support_rate_when_dynamic", "0.8"}}},
+      {"one coarse image", {{"angular_levels_deg", "[2.0]"}}},
+      {"a hit is no support", {{"hit_is_support", "false"}}},
+      {"nearest voxel of a pixel only", {{"evidence_goes_to", "nearest_voxel"}}},
+      {"no forgetting", {{"forgetting", "0"}}}};
+  return kSwitches;
+}
+
+MethodChoice choice(const std::string& name, const Parameters& parameters) {
+  return {name, [parameters] { return std::make_unique<StillmapMethod>(parameters); }};
+}
+
+}  // namespace
+
+std::vector<MethodChoice> ablation_choices(const Parameters& parameters) {
+  std::vector<MethodChoice> choices = {choice("full", parameters)};
+  for (const AblationSwitch& off : switches()) {
+    Parameters without = parameters;
+    for (const auto& [name, value] : off.settings) set_parameter(without, name, value);
+    choices.push_back(choice(off.name, without));
+  }
+  return choices;
+}
+
+}  // namespace stillmap

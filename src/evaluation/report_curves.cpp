@@ -1,0 +1,111 @@
+#include "evaluation/report_tables.hpp"
+
+namespace stillmap {
+namespace {
+
+/// Calls visit(first cells of a row, histogram) for every pass with probabilities.
+template <class Visitor>
+void for_each_histogram(const std::vector<SequenceResult>& results, Visitor&& visit) {
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods) {
+      const auto visit_pass = [&](const std::string& name, const PassScore& pass) {
+        const std::vector<std::string> start = {sequence.name, method.method, name};
+        if (!pass.probabilities().empty()) visit(start, pass.probabilities());
+      };
+      if (method.at_once) visit_pass("at once", *method.at_once);
+      visit_pass("final", method.final);
+    }
+}
+
+void add_row(TextTable& table, std::vector<std::string> row, const std::vector<std::string>& rest) {
+  row.insert(row.end(), rest.begin(), rest.end());
+  table.add_row(std::move(row));
+}
+
+}  // namespace
+
+TextTable threshold_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "pass", "removed below p_static", "PR", "RR"});
+  for_each_histogram(results, [&](const auto& start, const ProbabilityHistogram& histogram) {
+    for (int threshold = 0; threshold <= 100; ++threshold)
+      add_row(table, start,
+              {cell(0.01 * threshold), cell(histogram.pr_at(threshold)), cell(histogram.rr_at(threshold))});
+  });
+  return table;
+}
+
+TextTable calibration_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "pass", "p_static from", "points", "mean p_static",
+                   "truly static share", "expected calibration error"});
+  for_each_histogram(results, [&](const auto& start, const ProbabilityHistogram& histogram) {
+    const auto deciles = histogram.deciles();
+    for (std::size_t i = 0; i < deciles.size(); ++i) {
+      const bool any = deciles[i].points > 0;
+      add_row(table, start,
+              {cell(0.1 * static_cast<double>(i), 1), std::to_string(deciles[i].points),
+               any ? cell(deciles[i].mean_p_static, 4) : "not defined",
+               any ? cell(deciles[i].static_share, 4) : "not defined",
+               cell(histogram.expected_calibration_error(), 4)});
+    }
+  });
+  return table;
+}
+
+TextTable cost_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "CPU ms a scan, taken in", "CPU ms a scan, all", "peak memory MB"});
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods)
+      table.add_row({sequence.name, method.method, cell(method.cost.at_once_cpu_ms),
+                     cell(method.cost.total_cpu_ms), cell(method.cost.peak_mb, 1)});
+  return table;
+}
+
+TextTable paper_form_table(const SequenceResult& result) {
+  TextTable table({"Sequence", "Method", "PR (%)", "RR (%)", "score", "PR dropped", "RR dropped",
+                   "score dropped", "the paper's PR", "the paper's RR", "the paper's score"});
+  for (const MethodResult& method : result.methods) {
+    const Figures kept = method.final.total().figures(Uncertain::kKept);
+    const Figures dropped = method.final.total().figures(Uncertain::kDropped);
+    std::vector<std::string> row = {result.name,      method.method,      cell(kept.pr),
+                                    cell(kept.rr),    cell(kept.score),   cell(dropped.pr),
+                                    cell(dropped.rr), cell(dropped.score)};
+    std::vector<std::string> theirs = {"-", "-", "-"};
+    if (result.paper)
+      for (const PaperExperiment::Row& row_of_paper : result.paper->rows)
+        if (row_of_paper.method == method.method)
+          theirs = {cell(row_of_paper.pr), cell(row_of_paper.rr), cell(row_of_paper.score)};
+    add_row(table, row, theirs);
+  }
+  return table;
+}
+
+TextTable at_once_table(const SequenceResult& result) {
+  TextTable table(
+      {"Method", "PR (%)", "RR (%)", "score", "IoU", "score dropped", "vegetation kept", "delay (scans)"});
+  for (const MethodResult& method : result.methods) {
+    if (!method.at_once) continue;
+    const Figures kept = method.at_once->total().figures(Uncertain::kKept);
+    const Figures dropped = method.at_once->total().figures(Uncertain::kDropped);
+    table.add_row({method.method, cell(kept.pr), cell(kept.rr), cell(kept.score), cell(kept.iou),
+                   cell(dropped.score), cell(method.at_once->vegetation_kept(Uncertain::kKept)),
+                   cell(method.at_once->delay().median_scans, 1)});
+  }
+  return table;
+}
+
+TextTable ablation_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "at once PR", "RR", "score", "IoU", "final PR", "RR", "score",
+                   "score dropped", "CPU ms a scan"});
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods) {
+      const Figures now = method.at_once ? method.at_once->total().figures(Uncertain::kKept) : Figures();
+      const Figures final = method.final.total().figures(Uncertain::kKept);
+      const Figures dropped = method.final.total().figures(Uncertain::kDropped);
+      table.add_row({sequence.name, method.method, cell(now.pr), cell(now.rr), cell(now.score), cell(now.iou),
+                     cell(final.pr), cell(final.rr), cell(final.score), cell(dropped.score),
+                     cell(method.cost.at_once_cpu_ms)});
+    }
+  return table;
+}
+
+}  // namespace stillmap

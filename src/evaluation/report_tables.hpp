@@ -1,0 +1,25 @@
+#pragma once
+
+#include "evaluation/report.hpp"
+#include "evaluation/text_table.hpp"
+
+namespace stillmap {
+
+/// Every figure of every sequence, method, pass, and way to count "uncertain".
+TextTable score_table(const std::vector<SequenceResult>& results);
+TextTable class_table(const std::vector<SequenceResult>& results);
+TextTable range_table(const std::vector<SequenceResult>& results);
+TextTable object_table(const std::vector<SequenceResult>& results);
+TextTable scan_table(const std::vector<SequenceResult>& results);
+TextTable threshold_table(const std::vector<SequenceResult>& results);
+TextTable calibration_table(const std::vector<SequenceResult>& results);
+TextTable cost_table(const std::vector<SequenceResult>& results);
+
+/// Tables 2 and 3 in the paper's form, the paper's own figures beside ours.
+TextTable paper_form_table(const SequenceResult& result);
+/// The verdicts at the scans' own time.
+TextTable at_once_table(const SequenceResult& result);
+/// A line for each method: what it gives, at once and in the end, and what it costs.
+TextTable ablation_table(const std::vector<SequenceResult>& results);
+
+}  // namespace stillmap
