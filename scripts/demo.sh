@@ -55,7 +55,7 @@ draw() {
   shift 2
   /usr/bin/python3 scripts/render.py "$out/$scene.bag" "$out/$scene/final" "$out/$picture" --title "Simulated $scene" "$@"
 }
-draw street street_perspective.png --span-m 42 --turn-deg -18 --pitch-deg 20
+draw street street_perspective.png --span-m 44 --turn-deg -16 --pitch-deg 22
 draw street street_top.png --view top --span-m 50
 draw orchard orchard_perspective.png --span-m 24 --turn-deg 14 --pitch-deg 25
 draw orchard orchard_top.png --view top --span-m 34

@@ -30,15 +30,15 @@ class Camera:
         return relative @ self.right * px_per_m, -(relative @ self.up) * px_per_m, depth_m, px_per_m
 
 
-def draw(points, colors, sizes_m, camera, width_px, height_px):
-    """Returns a picture, uint8 (height, width, 3). `sizes_m` has one diameter for each point."""
+def draw(points, colors, size_m, camera, width_px, height_px):
+    """Returns a picture, uint8 (height, width, 3). The points are discs of diameter size_m."""
     width, height = width_px * OVERSAMPLING, height_px * OVERSAMPLING
     x, y, depth_m, px_per_m = camera.project(points, width)
     x, y = x + width / 2, y + height / 2
     seen = (depth_m > 0.5) & (x >= 0) & (x < width) & (y >= 0) & (y < height)
     order = np.flatnonzero(seen)[np.argsort(-depth_m[seen], kind="stable")]  # the nearest is painted last
     columns, rows, depth_m = x[order].astype(np.int32), y[order].astype(np.int32), depth_m[order]
-    radius_px = np.clip(sizes_m[order] * px_per_m[order] / 2, 0.5, 6.0)
+    radius_px = np.clip(size_m * px_per_m[order] / 2, 0.5, 6.0)
 
     owner = _nearest_point(columns, rows, radius_px, depth_m, width, height)
     empty = owner < 0
@@ -56,7 +56,8 @@ def _nearest_point(columns, rows, radius_px, depth_m, width, height):
     for dy in range(-reach, reach + 1):
         for dx in range(-reach, reach + 1):
             c, r = columns + dx, rows + dy
-            covers = np.flatnonzero((dx * dx + dy * dy <= radius_px**2) & (c >= 0) & (c < width) & (r >= 0) & (r < height))
+            inside = (c >= 0) & (c < width) & (r >= 0) & (r < height)
+            covers = np.flatnonzero(inside & (dx * dx + dy * dy <= radius_px**2))
             layer = np.full((height, width), -1, np.int64)
             layer[r[covers], c[covers]] = covers  # of equal pixels the last one, the nearest, stays
             layer_depth = np.where(layer < 0, np.inf, depth_m[layer])

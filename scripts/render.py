@@ -15,7 +15,8 @@ from point_picture import Camera, draw  # noqa: E402
 
 RED, AMBER = (214, 30, 42), (240, 160, 0)
 LOW_GREY, HIGH_GREY = (188, 192, 198), (120, 126, 136)
-PANEL_PX = (820, 560)
+PANEL_PX = (820, 530)
+POINT_SIZE_M = 0.08
 
 
 def main():
@@ -78,15 +79,14 @@ def from_above(track, options):
 
 
 def paint(points, classes, camera):
-    """Static points grey, the lighter the lower; moving ones red and larger, undecided ones amber."""
+    """Static points grey, the lighter the lower; moving ones red, undecided ones amber."""
     low, high = np.percentile(points[:, 2], (5, 95))
     height = np.clip((points[:, 2] - low) / max(high - low, 0.1), 0, 1)[:, None]
     colors = ((1 - height) * np.array(LOW_GREY) + height * np.array(HIGH_GREY)).astype(np.float32)
     colors[classes == DYNAMIC] = RED
     undecided = (classes != DYNAMIC) & (classes != STATIC)
     colors[undecided] = AMBER
-    sizes_m = np.where(classes == DYNAMIC, 0.12, 0.08).astype(np.float32)
-    return draw(points, colors, sizes_m, camera, *PANEL_PX)
+    return draw(points, colors, POINT_SIZE_M, camera, *PANEL_PX)
 
 
 def save(panels, options):
@@ -95,9 +95,10 @@ def save(panels, options):
     width_px = len(panels) * (PANEL_PX[0] + margin_px) + margin_px
     height_px = PANEL_PX[1] + head_px + foot_px
     figure = plt.figure(figsize=(width_px / 100, height_px / 100), dpi=100)
-    for place, (name, picture) in enumerate(panels):
-        left_px = margin_px + place * (PANEL_PX[0] + margin_px)
-        axis = figure.add_axes((left_px / width_px, foot_px / height_px, PANEL_PX[0] / width_px, PANEL_PX[1] / height_px))
+    for index, (name, picture) in enumerate(panels):
+        left_px = margin_px + index * (PANEL_PX[0] + margin_px)
+        place = np.array([left_px, foot_px, *PANEL_PX]) / [width_px, height_px, width_px, height_px]
+        axis = figure.add_axes(place)
         axis.imshow(picture)
         axis.set_title(name, fontsize=17)
         axis.set_axis_off()

@@ -58,6 +58,9 @@ class RangeImage {
     const Span span = spans_[pixel];
     return {span.nearest * step_m_, span.farthest * step_m_};
   }
+  /// Nearest and farthest return of all pixels within `half_angle_rad` of a direction, and of some more
+  /// around: whatever lies there was measured inside this span.
+  MeasuredRange around(float azimuth_rad, float elevation_rad, float half_angle_rad) const;
   const SphericalGrid& grid() const { return grid_; }
 
  private:
@@ -65,9 +68,15 @@ class RangeImage {
     std::uint16_t nearest, farthest;  ///< farthest 0 = no return
   };
 
+  void summarise_tiles();
+
+  static constexpr int kTileColumns = 8, kTileRows = 16;
   SphericalGrid grid_;
   float step_m_ = 0;
   std::vector<Span> spans_;
+  int tile_columns_ = 0, tile_rows_ = 0;
+  std::vector<Span>
+      tiles_;  ///< span of kTileColumns x kTileRows pixels, column by column; nearest 65535 = none
 };
 
 }  // namespace stillmap

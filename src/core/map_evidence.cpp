@@ -14,11 +14,14 @@ void Mapper::State::apply_evidence(const ScanView& view) {
 void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
   const auto voxel_m = static_cast<float>(map.voxel_size_m());
   const auto reach_m = static_cast<float>(parameters.max_range_m + 2 * map.block_size_m());
+  const bool block_hit = block.hit_scan == scan_count;
   const Eigen::Vector3f corner =
       view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
-  if (corner.norm() > reach_m) return;
+  if (corner.squaredNorm() > reach_m * reach_m) return;
+  const auto half_m = static_cast<float>(0.5 * map.block_size_m());
+  const Eigen::Vector3f center = corner + view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
+  if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;
   block.age(scan_count);
-  const bool block_hit = block.hit_scan == scan_count;
   const auto beside_surface = static_cast<float>(parameters.conflict_beside_surface);
   CellMask surface = 0;
   bool surface_known = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tbb/task_arena.h>
+#include <tsl/robin_set.h>
 
 #include "clusters.hpp"
 #include "ground.hpp"
@@ -54,9 +55,10 @@ struct Mapper::State {
   ScanLabels labels;
   Ground ground;
   Clusters clusters, moving_pieces;
-  std::vector<Votes> object_votes;
-  std::vector<RowClues> clues;           ///< by row
-  std::vector<std::uint8_t> takes_part;  ///< by row, for Clusters
+  std::vector<Votes> object_votes, patch_votes;
+  std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
+  std::vector<RowClues> clues;              ///< by row
+  std::vector<std::uint8_t> takes_part;     ///< by row, for Clusters
 
   // mapper.cpp
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
@@ -88,6 +90,8 @@ struct Mapper::State {
   CellMask near_standing_surface(const BlockKey& key) const;
   CellMask near_moving(const BlockKey& key) const;
   void remember_moving();
+  std::vector<std::uint32_t> moving_blocks;                   ///< where something moved in the last scans
+  tsl::robin_set<std::uint64_t, BlockKeyHash> around_moving;  ///< those and their neighbours, packed keys
   template <class CellsOf>
   CellMask near(const BlockKey& key, CellsOf&& cells_of) const {
     std::array<CellMask, 27> around{};
@@ -102,10 +106,12 @@ struct Mapper::State {
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   void separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
-  void find_clues(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
+  void find_clues();
+  void count_votes(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
                          const ScanView& view) const;
-  void decide_by_vote(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void decide_by_vote();
   void settle(std::size_t row, Reason reason);
   void defer_specks(const Scan& scan);
 };

@@ -1,6 +1,13 @@
+#include <algorithm>
+
 #include "mapper_state.hpp"
 
 namespace stillmap {
+namespace {
+
+constexpr std::uint32_t kMovingMemoryScans = 2;
+
+}  // namespace
 
 void Mapper::State::find_standing_surface() {
   constexpr int kEstablishedHits = 3;
@@ -21,9 +28,9 @@ CellMask Mapper::State::near_standing_surface(const BlockKey& key) const {
 }
 
 CellMask Mapper::State::near_moving(const BlockKey& key) const {
-  constexpr std::uint32_t kMemoryScans = 2;
+  if (around_moving.count(packed(key)) == 0) return 0;
   return near(key, [this](const VoxelBlock& b) {
-    return b.moving_scan + kMemoryScans >= scan_count ? b.moving : CellMask{0};
+    return b.moving_scan + kMovingMemoryScans >= scan_count ? b.moving : CellMask{0};
   });
 }
 
@@ -31,10 +38,24 @@ void Mapper::State::remember_moving() {
   for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
     if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] == Clusters::kNone) continue;
     VoxelBlock& block = map.block(voxel_of_row[row].block);
-    if (block.moving_scan != scan_count) block.moving = 0;
-    block.moving_scan = scan_count;
+    if (block.moving_scan != scan_count) {
+      block.moving_scan = scan_count;
+      block.moving = 0;
+      moving_blocks.push_back(voxel_of_row[row].block);
+    }
     block.moving |= cell_bit(static_cast<int>(voxel_of_row[row].place));
   }
+  std::sort(moving_blocks.begin(), moving_blocks.end());
+  moving_blocks.erase(std::unique(moving_blocks.begin(), moving_blocks.end()), moving_blocks.end());
+  const auto forgotten = [this](std::uint32_t index) {
+    return map.block(index).moving_scan + kMovingMemoryScans <= scan_count;
+  };
+  moving_blocks.erase(std::remove_if(moving_blocks.begin(), moving_blocks.end(), forgotten),
+                      moving_blocks.end());
+  around_moving.clear();
+  for (const std::uint32_t index : moving_blocks)
+    for (int i = 0; i < 27; ++i)
+      around_moving.insert(packed(map.block(index).key() + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
 }
 
 }  // namespace stillmap

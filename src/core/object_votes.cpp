@@ -13,20 +13,22 @@ void Votes::add(Label label, const RowClues& clues) {
   is_static += label == Label::kStatic;
   established += clues.established;
   followed += clues.followed;
-  tested += clues.tested;
-  vanished += clues.vanished;
+}
+
+bool Votes::known_before() const {
+  constexpr float kHardlyAny = 0.1F;
+  return static_cast<float>(established) > kHardlyAny * static_cast<float>(rows);
 }
 
 Reason Votes::verdict(float static_share) const {
   constexpr float kDynamicShare = 0.1F, kDynamicMajority = 0.6F, kStaticMajority = 0.9F;
-  constexpr float kHalf = 0.5F, kHardlyAny = 0.1F;
+  constexpr float kHalf = 0.5F;
   const auto decided = static_cast<float>(dynamic + is_static);
   const auto all = static_cast<float>(rows);
-  const bool known_before = established > kHardlyAny * all;
   if (dynamic >= kFew && dynamic >= kDynamicShare * all && dynamic >= kDynamicMajority * decided)
     return Reason::kObjectMoves;
-  if (followed >= kFew && followed >= kHalf * all && !known_before) return Reason::kObjectMoves;
-  if (vanished >= kFew && vanished >= kHalf * static_cast<float>(tested) && !known_before)
+  if (followed >= kFew && followed >= kHalf * all && !known_before()) return Reason::kObjectMoves;
+  if (vanished >= kFew && vanished >= kHalf * static_cast<float>(tested) && !known_before())
     return Reason::kReplacedVanished;
   if (is_static >= static_share * all && is_static >= kStaticMajority * decided) return Reason::kObjectStands;
   return Reason::kMixedEvidence;

@@ -19,6 +19,12 @@ struct Votes {
   int established = 0, followed = 0, tested = 0, vanished = 0;
 
   void add(Label label, const RowClues& clues);
+  void add_vanish_test(bool row_vanished) {
+    ++tested;
+    vanished += row_vanished;
+  }
+  /// Too much of it is known surface for something that moves.
+  bool known_before() const;
   /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.
   Reason verdict(float static_share) const;
   /// So clearly moving that rows which only just turned static are taken along.

@@ -1,3 +1,4 @@
+#include <tbb/parallel_for.h>
 #include <tsl/robin_map.h>
 
 #include "mapper_state.hpp"
@@ -10,8 +11,10 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   clues.assign(scan.points.size(), RowClues{});
   separate_ground(scan, R_map_sensor);
   clusters.find(scan, projected, beams, takes_part);
-  find_clues(scan, T_map_sensor, view);
-  decide_by_vote(scan, R_map_sensor);
+  find_clues();
+  count_votes(scan, R_map_sensor);
+  test_vanished(scan, T_map_sensor, view);
+  decide_by_vote();
   defer_specks(scan);
   remember_moving();
 }
@@ -29,30 +32,62 @@ void Mapper::State::separate_ground(const Scan& scan, const Eigen::Matrix3f& R_m
   }
 }
 
-void Mapper::State::find_clues(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
-                               const ScanView& view) {
+void Mapper::State::find_clues() {
   constexpr int kYoungScans = 10;
-  const std::array<const ScanView*, 4> before = {history.recent(1), history.recent(2), history.recent(4),
-                                                 history.recent(8)};
   std::uint32_t last_block = VoxelRef::kNone;
   CellMask moving_near = 0;
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+  for (std::size_t row = 0; row < clues.size(); ++row) {
     if (clusters.of_row()[row] == Clusters::kNone) continue;
     const VoxelRef at = voxel_of_row[row];
     if (at.block != last_block) {
       last_block = at.block;
       moving_near = parameters.follow_objects ? near_moving(map.block(at.block).key()) : CellMask{0};
     }
-    RowClues& clue = clues[row];
     const auto place = static_cast<int>(at.place);
-    clue.followed = (moving_near & cell_bit(place)) != 0;
-    clue.established =
+    clues[row].followed = (moving_near & cell_bit(place)) != 0;
+    clues[row].established =
         labels.label[row] == Label::kStatic && map.block(at.block).at(place).age >= kYoungScans;
-    clue.tested = parameters.vanish_test && labels.label[row] != Label::kDynamic && !clue.established;
-    if (!clue.tested) continue;
+  }
+}
+
+void Mapper::State::count_votes(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  constexpr float kPatchM = 1.0F;
+  object_votes.assign(clusters.count(), Votes{});
+  patch_votes.clear();
+  patch_of_row.assign(scan.points.size(), 0);
+  tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> patches;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    const std::int32_t object = clusters.of_row()[row];
+    if (object == Clusters::kNone) continue;
+    const Eigen::Vector3i cell = (R_map_sensor * scan.points[row] / kPatchM).array().floor().cast<int>();
+    const std::uint64_t key = packed(cell) ^ BlockKeyHash {}(static_cast<std::uint64_t>(object) + 1);
+    const auto [patch, created] = patches.try_emplace(key, static_cast<std::uint32_t>(patch_votes.size()));
+    if (created) patch_votes.emplace_back();
+    patch_of_row[row] = patch->second;
+    object_votes[object].add(labels.label[row], clues[row]);
+    patch_votes[patch->second].add(labels.label[row], clues[row]);
+  }
+}
+
+void Mapper::State::test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                                  const ScanView& view) {
+  if (!parameters.vanish_test) return;
+  const std::array<const ScanView*, 4> before = {history.recent(1), history.recent(2), history.recent(4),
+                                                 history.recent(8)};
+  tbb::parallel_for(std::size_t{0}, scan.points.size(), [&](std::size_t row) {
+    const bool open = clusters.of_row()[row] != Clusters::kNone && labels.label[row] != Label::kDynamic &&
+                      !clues[row].established && !patch_votes[patch_of_row[row]].known_before();
+    if (!open) return;
+    clues[row].tested = true;
     const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[row].cast<double>();
     for (const ScanView* earlier : before)
-      clue.vanished = clue.vanished || (earlier != nullptr && replaced_vanished(point_map_m, *earlier, view));
+      if (!clues[row].vanished && earlier != nullptr)
+        clues[row].vanished = replaced_vanished(point_map_m, *earlier, view);
+  });
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    if (!clues[row].tested) continue;
+    object_votes[clusters.of_row()[row]].add_vanish_test(clues[row].vanished);
+    patch_votes[patch_of_row[row]].add_vanish_test(clues[row].vanished);
   }
 }
 
@@ -68,25 +103,13 @@ bool Mapper::State::replaced_vanished(const Eigen::Vector3d& point_map_m, const 
   return view.evidence(view.to_sensor(hider_map_m), models).kind() == Evidence::kConflict;
 }
 
-void Mapper::State::decide_by_vote(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
-  constexpr float kPatchM = 1.0F, kPatchStatic = 0.5F, kObjectStatic = 0.3F;
-  const auto patch_of = [&](std::size_t row) {
-    const Eigen::Vector3i cell = (R_map_sensor * scan.points[row] / kPatchM).array().floor().cast<int>();
-    return packed(cell) ^ BlockKeyHash {}(static_cast<std::uint64_t>(clusters.of_row()[row]) + 1);
-  };
-  object_votes.assign(clusters.count(), Votes{});
-  tsl::robin_map<std::uint64_t, Votes> patches;
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
-    const std::int32_t object = clusters.of_row()[row];
-    if (object == Clusters::kNone) continue;
-    object_votes[object].add(labels.label[row], clues[row]);
-    patches[patch_of(row)].add(labels.label[row], clues[row]);
-  }
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+void Mapper::State::decide_by_vote() {
+  constexpr float kPatchStatic = 0.5F, kObjectStatic = 0.3F;
+  for (std::size_t row = 0; row < clues.size(); ++row) {
     const std::int32_t object = clusters.of_row()[row];
     const bool just_static = labels.label[row] == Label::kStatic && !clues[row].established;
     if (object == Clusters::kNone || !(labels.label[row] == Label::kUncertain || just_static)) continue;
-    Reason reason = patches.find(patch_of(row))->second.verdict(kPatchStatic);
+    Reason reason = patch_votes[patch_of_row[row]].verdict(kPatchStatic);
     if (reason == Reason::kMixedEvidence) reason = object_votes[object].verdict(kObjectStatic);
     if (reason == Reason::kMixedEvidence) continue;
     if (just_static && reason != Reason::kReplacedVanished && !object_votes[object].moves_as_a_whole())

@@ -109,6 +109,7 @@ RangeImage RangeImage::nearest(const ProjectedScan& scan, float level_rad, float
     const std::uint16_t range = planes.farthest[i] > 0 ? planes.nearest[i] : std::uint16_t{0};
     image.spans_[i] = {range, range};
   }
+  image.summarise_tiles();
   return image;
 }
 
@@ -132,7 +133,43 @@ RangeImage RangeImage::bracketed(const ProjectedScan& scan, SensorGeometry geome
                   image.spans_[first + row] = {near, far};
                 });
   }
+  image.summarise_tiles();
   return image;
+}
+
+void RangeImage::summarise_tiles() {
+  tile_columns_ = (grid_.columns + kTileColumns - 1) / kTileColumns;
+  tile_rows_ = (grid_.rows + kTileRows - 1) / kTileRows;
+  tiles_.assign(static_cast<std::size_t>(tile_columns_) * tile_rows_, Span{0xFFFF, 0});
+  for (int c = 0; c < grid_.columns; ++c)
+    for (int r = 0; r < grid_.rows; ++r) {
+      const Span span = spans_[static_cast<std::size_t>(c) * grid_.rows + r];
+      if (span.farthest == 0) continue;
+      Span& tile = tiles_[static_cast<std::size_t>(c / kTileColumns) * tile_rows_ + r / kTileRows];
+      tile.nearest = std::min(tile.nearest, span.nearest);
+      tile.farthest = std::max(tile.farthest, span.farthest);
+    }
+}
+
+MeasuredRange RangeImage::around(float azimuth_rad, float elevation_rad, float half_angle_rad) const {
+  // Towards the zenith a cap of the sphere spans more azimuth.
+  const float wide_rad = half_angle_rad / std::max(0.1F, std::cos(std::abs(elevation_rad) + half_angle_rad));
+  const int half_columns = static_cast<int>(wide_rad / grid_.column_rad) / kTileColumns + 1;
+  const int middle = grid_.column(azimuth_rad) / kTileColumns;
+  const int first_row = std::max(0, grid_.row(elevation_rad - half_angle_rad) / kTileRows);
+  const int last_row = std::min(tile_rows_ - 1, grid_.row(elevation_rad + half_angle_rad) / kTileRows);
+  const int first = 2 * half_columns + 1 >= tile_columns_ ? 0 : middle - half_columns;
+  const int count = std::min(tile_columns_, 2 * half_columns + 1);
+  Span all{0xFFFF, 0};
+  for (int i = 0; i < count; ++i) {
+    const int column = (first + i + tile_columns_) % tile_columns_;
+    for (int row = first_row; row <= last_row; ++row) {
+      const Span tile = tiles_[static_cast<std::size_t>(column) * tile_rows_ + row];
+      all.nearest = std::min(all.nearest, tile.nearest);
+      all.farthest = std::max(all.farthest, tile.farthest);
+    }
+  }
+  return {all.nearest * step_m_, all.farthest * step_m_};
 }
 
 }  // namespace stillmap
