@@ -49,8 +49,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   number("support_rate_when_dynamic", "", 0.0, 10.0, p.support_rate_when_dynamic,
          "eta while L < 0: what was seen through must not creep back");
   number("increment_clip", "", 0.01, 20.0, p.increment_clip, "largest |dL| of one scan, section 1.2.2 (2)");
-  number("log_odds_min", "", -50.0, -0.1, p.log_odds_min, "lower bound of L");
-  number("log_odds_max", "", 0.1, 50.0, p.log_odds_max, "upper bound of L");
+  number("log_odds_min", "", -15.0, -0.1, p.log_odds_min, "lower bound of L");
+  number("log_odds_max", "", 0.1, 15.0, p.log_odds_max, "upper bound of L");
   number("forgetting", "", 0.0, 0.5, p.forgetting, "lambda of eq. (8), for each observation");
 
   number("p_static_min", "", 0.5, 1.0, p.p_static_min, "tau_sta of eq. (9)");

@@ -9,7 +9,7 @@
 
 namespace stillmap {
 
-/// atan2 to within 2e-6 rad without a branch on the quadrant's boundaries; 0 for (0, 0).
+/// atan2 to within 4e-6 rad without a branch on the quadrant's boundaries; 0 for (0, 0).
 inline float fast_atan2(float y, float x) {
   constexpr float kPi = 3.14159265358979F;
   const float ax = std::abs(x), ay = std::abs(y);

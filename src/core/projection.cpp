@@ -1,6 +1,7 @@
 #include "stillmap/projection.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillmap {
 
@@ -17,7 +18,8 @@ void project(const Scan& scan, float min_range_m, float max_range_m, ProjectedSc
         s.range_m >= min_range_m && s.range_m <= max_range_m && s.range_m > 0;  // false for NaN
     projected.azimuth_rad[i] = s.azimuth_rad;
     projected.elevation_rad[i] = s.elevation_rad;
-    projected.range_m[i] = usable ? s.range_m : s.range_m > max_range_m ? -1.0F : 0.0F;
+    const bool too_far = s.range_m > max_range_m && std::isfinite(s.range_m);
+    projected.range_m[i] = usable ? s.range_m : too_far ? -1.0F : 0.0F;
     lowest = usable ? std::min(lowest, s.elevation_rad) : lowest;
     highest = usable ? std::max(highest, s.elevation_rad) : highest;
     judged += usable;

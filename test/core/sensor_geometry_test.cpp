@@ -1,0 +1,78 @@
+// Beam spacing found from scans alone, on patterns whose spacing is known.
+#include "stillmap/sensor_geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/made_scans.hpp"
+
+namespace stillmap {
+namespace {
+
+const Rings kSensors[] = {{16, 1800, -15, 15},
+                          {32, 2170, -30.67F, 10.67F},
+                          {64, 1024, -22.5F, 22.5F},
+                          {64, 2083, -24.8F, 2},
+                          {128, 1024, -22.5F, 22.5F}};
+
+TEST(SensorGeometry, FindsTheRingsOfEverySensor) {
+  for (const Rings& sensor : kSensors) {
+    const SensorGeometry found = measure_geometry(projected(sensor.scan(ground_and_wall(1.7F, 40))));
+    EXPECT_NEAR(found.ring_spacing_rad / kRad, sensor.spacing_deg(), 0.1F * sensor.spacing_deg());
+    EXPECT_NEAR(found.azimuth_step_rad / kRad, sensor.step_deg(), 0.1F * sensor.step_deg());
+  }
+}
+
+TEST(SensorGeometry, ANonRepetitivePatternHasAFineSpacing) {
+  // A rosette of 24000 returns in a cone of 70 degrees: on average 0.4 degrees apart.
+  Scan scan;
+  for (int i = 0; i < 24000; ++i) {
+    const float t = static_cast<float>(i) / 24000;
+    const float a = 12.1567F * 2 * 3.1415927F * t, b = -7.7733F * 2 * 3.1415927F * t;
+    scan.points.emplace_back(10 * direction(17.6F * kRad * (std::cos(a) + std::cos(b)),
+                                            18.7F * kRad * (std::sin(a) + std::sin(b))));
+  }
+  const SensorGeometry found = measure_geometry(projected(scan));
+  EXPECT_GT(found.ring_spacing_rad, 0.03F * kRad);
+  EXPECT_LT(found.ring_spacing_rad, 10 * kRad);
+  EXPECT_GT(found.azimuth_step_rad, 0.02F * kRad);
+  EXPECT_LT(found.azimuth_step_rad, 1 * kRad);
+}
+
+TEST(SensorGeometry, TooFewReturnsTellNothing) {
+  const Scan scan = Rings{4, 8, -10, 10}.scan([](float, float) { return 5.0F; });
+  const SensorGeometry found = measure_geometry(projected(scan));
+  EXPECT_EQ(found.ring_spacing_rad, 0.0F);
+  EXPECT_EQ(found.azimuth_step_rad, 0.0F);
+}
+
+TEST(GeometryEstimator, KeepsWhatIsGiven) {
+  GeometryEstimator estimator({2 * kRad, 0});
+  const Rings sensor = kSensors[2];
+  const SensorGeometry geometry = estimator.update(projected(sensor.scan(ground_and_wall(1.7F, 40))));
+  EXPECT_FLOAT_EQ(geometry.ring_spacing_rad, 2 * kRad);
+  EXPECT_NEAR(geometry.azimuth_step_rad / kRad, sensor.step_deg(), 0.1F * sensor.step_deg());
+}
+
+TEST(GeometryEstimator, AssumesSomethingUntilAScanCanTell) {
+  GeometryEstimator estimator({0, 0});
+  const SensorGeometry before = estimator.update(projected(Scan{}));
+  EXPECT_GT(before.ring_spacing_rad, 0.0F);
+  EXPECT_GT(before.azimuth_step_rad, 0.0F);
+  const Rings sensor = kSensors[0];
+  const SensorGeometry after = estimator.update(projected(sensor.scan(ground_and_wall(1.7F, 40))));
+  EXPECT_NEAR(after.ring_spacing_rad / kRad, 2.0F, 0.2F);
+}
+
+TEST(GeometryEstimator, IsFixedAfterTenScans) {
+  GeometryEstimator estimator({0, 0});
+  const ProjectedScan sixteen = projected(kSensors[0].scan(ground_and_wall(1.7F, 40)));
+  const ProjectedScan many = projected(kSensors[4].scan(ground_and_wall(1.7F, 40)));
+  SensorGeometry geometry;
+  for (int scan = 0; scan < 10; ++scan) geometry = estimator.update(sixteen);
+  const float fixed = geometry.ring_spacing_rad;
+  for (int scan = 0; scan < 30; ++scan) geometry = estimator.update(many);
+  EXPECT_EQ(geometry.ring_spacing_rad, fixed);
+}
+
+}  // namespace
+}  // namespace stillmap

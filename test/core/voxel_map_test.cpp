@@ -1,0 +1,108 @@
+// The hashed blocks against std::map.
+#include "stillmap/voxel_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <tuple>
+
+namespace stillmap {
+namespace {
+
+using PlainMap = std::map<std::tuple<int, int, int>, int>;
+
+Voxel& find_or_create(VoxelMap& map, const VoxelKey& key, bool& created) {
+  return map.block(map.find_or_create_block(block_key(key))).find_or_create(place_in_block(key), created);
+}
+
+/// Random keys, near each other so that blocks fill up, on both sides of zero.
+VoxelKey some_key(std::mt19937& random) {
+  std::uniform_int_distribution<int> near(-20, 20);
+  return {near(random), near(random), near(random)};
+}
+
+TEST(VoxelMap, HoldsWhatAPlainMapHolds) {
+  VoxelMap map(0.1);
+  PlainMap plain;
+  std::mt19937 random(4);
+  for (int i = 0; i < 20000; ++i) {
+    const VoxelKey key = some_key(random);
+    bool created = false;
+    Voxel& voxel = find_or_create(map, key, created);
+    EXPECT_EQ(created, plain.count({key.x(), key.y(), key.z()}) == 0);
+    voxel.log_odds_fixed = static_cast<std::int16_t>(i);
+    plain[{key.x(), key.y(), key.z()}] = static_cast<std::int16_t>(i);
+  }
+  EXPECT_EQ(map.voxel_count(), plain.size());
+  for (int i = 0; i < 20000; ++i) {
+    const VoxelKey key = some_key(random);
+    const auto expected = plain.find({key.x(), key.y(), key.z()});
+    const Voxel* found = map.find(key);
+    ASSERT_EQ(found != nullptr, expected != plain.end());
+    if (found != nullptr) {
+      EXPECT_EQ(found->log_odds_fixed, expected->second);
+    }
+  }
+}
+
+TEST(VoxelMap, BlocksVisitTheirVoxelsByAscendingPlace) {
+  VoxelMap map(0.1);
+  std::mt19937 random(5);
+  std::size_t stored = 0;
+  for (int i = 0; i < 3000; ++i) {
+    bool created = false;
+    const VoxelKey key = some_key(random);
+    find_or_create(map, key, created).log_odds_fixed = static_cast<std::int16_t>(place_in_block(key));
+    stored += created;
+  }
+  std::size_t visited = 0;
+  for (std::uint32_t index = 0; index < map.block_count(); ++index) {
+    int last = -1;
+    map.block(index).for_each([&](int place, const Voxel& voxel) {
+      EXPECT_GT(place, last);
+      EXPECT_EQ(voxel.log_odds_fixed, place);
+      last = place;
+      ++visited;
+    });
+  }
+  EXPECT_EQ(visited, stored);
+}
+
+TEST(VoxelMap, BlocksKeepTheirIndexAndAddress) {
+  VoxelMap map(0.1);
+  const std::uint32_t first = map.find_or_create_block({3, -2, 1});
+  const VoxelBlock* address = &map.block(first);
+  for (int x = 0; x < 2000; ++x) map.find_or_create_block({x, 0, 7});
+  EXPECT_EQ(map.find_or_create_block({3, -2, 1}), first);
+  EXPECT_EQ(&map.block(first), address);
+  EXPECT_EQ(map.find_block({0, 0, 999}), -1);
+}
+
+TEST(VoxelMap, CentreOfAVoxelLiesInIt) {
+  const VoxelMap map(0.25);
+  EXPECT_TRUE(map.center_of({0, -1, 8}).isApprox(Eigen::Vector3d(0.125, -0.125, 2.125)));
+  EXPECT_EQ(map.key_of(map.center_of({5, -7, 0})), VoxelKey(5, -7, 0));
+}
+
+TEST(VoxelBlock, AgesByTheScansThatPassed) {
+  VoxelBlock block({0, 0, 0});
+  block.age(10);
+  bool created = false;
+  block.find_or_create(100, created).hit(Eigen::Vector3f::Zero());
+  block.age(10);
+  EXPECT_EQ(block.at(100).idle, 0);
+  block.age(13);
+  EXPECT_EQ(block.at(100).idle, 3);
+  EXPECT_EQ(block.at(100).age, 3);
+  block.at(100).hit(Eigen::Vector3f::Zero());
+  block.age(14);
+  EXPECT_EQ(block.at(100).idle, 1);
+  EXPECT_EQ(block.at(100).age, 4);
+  block.age(1000000);
+  EXPECT_EQ(block.at(100).idle, 255);
+  EXPECT_EQ(block.at(100).age, 255);
+}
+
+}  // namespace
+}  // namespace stillmap
