@@ -66,6 +66,7 @@ void add_evaluate_command(CLI::App& app) {
   job.methods = method_names();
   command->add_option("--methods", job.methods, "Which ones")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   command->add_flag("--ablation", job.ablation,
