@@ -64,6 +64,9 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   number("conflict_beside_surface", "", 0.0, 1.0, p.conflict_beside_surface,
          "factor on a conflict where this scan hits, right beside, surface known to stand: leaves, edges, "
          "pose noise");
+  number("conflict_porous", "", 0.0, 1.0, p.conflict_porous,
+         "factor on a conflict with surface that was hit again after it was seen through, and on replayed "
+         "ones beside it");
   flag("full_support_on_return", p.full_support_on_return,
        "a voxel hit again after it was seen through gets the full support_rate: porous things do that, "
        "movers do not");

@@ -55,6 +55,7 @@ struct Parameters {
 
   // Porous things, sway and pose noise.
   double conflict_beside_surface = 0.15;
+  double conflict_porous = 0.2;
   bool full_support_on_return = true;
 
   // Objects and surfaces.

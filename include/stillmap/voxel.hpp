@@ -29,7 +29,7 @@ struct Voxel {
     constexpr float kNewReturn = 0.25F;  // weight against the returns before
     const bool first = hits == 0;
     if (first || idle > 0) {
-      came_back = seen_through > 0 && idle >= 2;
+      came_back = came_back || (seen_through > 0 && idle >= 2);
       if (hits < 0xFF) ++hits;
     }
     idle = 0;

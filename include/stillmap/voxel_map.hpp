@@ -44,8 +44,9 @@ class VoxelBlock {
   /// Brings Voxel::idle and Voxel::age up to `scan`.
   void age(std::uint32_t scan);
 
-  std::uint32_t hit_scan = 0;     ///< last scan that hit a voxel of it
-  CellMask standing = 0;          ///< of that scan: cells where it hit surface known to stand
+  std::uint32_t hit_scan = 0;  ///< last scan that hit a voxel of it
+  CellMask standing = 0;       ///< of that scan: cells where it hit surface known to stand
+  CellMask porous = 0;  ///< of that scan: cells with surface that was hit again after it was seen through
   std::uint32_t moving_scan = 0;  ///< last scan that saw something move in it
   CellMask moving = 0;            ///< of that scan: the cells where it did
 

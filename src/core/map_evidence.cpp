@@ -5,7 +5,7 @@
 namespace stillmap {
 
 void Mapper::State::apply_evidence(const ScanView& view) {
-  find_standing_surface();
+  find_known_surface();
   // Blocks own their voxels and read only what no other block writes: any order gives the same map.
   tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(map.block_count()),
                     [&](std::uint32_t index) { apply_evidence(view, map.block(index)); });
@@ -23,6 +23,7 @@ void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
   if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;
   block.age(scan_count);
   const auto beside_surface = static_cast<float>(parameters.conflict_beside_surface);
+  const auto porous = static_cast<float>(parameters.conflict_porous);
   CellMask surface = 0;
   bool surface_known = false;
 
@@ -43,6 +44,7 @@ void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
     if (evidence.kind() == Evidence::kUnknown) return;
     float increment = evidence.increment(voxel.log_odds());
     if (evidence.kind() == Evidence::kConflict) {
+      if (voxel.came_back != 0) increment *= porous;
       voxel.see_through();
       if (!surface_known) surface = near_standing_surface(block.key());
       surface_known = true;

@@ -83,11 +83,12 @@ struct Mapper::State {
 
   // replay.cpp
   void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
-  float replayed_log_odds(const Eigen::Vector3d& point_map_m) const;
+  float replayed_log_odds(const Eigen::Vector3d& point_map_m, float conflict_factor) const;
 
   // neighbourhood.cpp
-  void find_standing_surface();
+  void find_known_surface();
   CellMask near_standing_surface(const BlockKey& key) const;
+  CellMask near_porous(const BlockKey& key) const;
   CellMask near_moving(const BlockKey& key) const;
   void remember_moving();
   std::vector<std::uint32_t> moving_blocks;                   ///< where something moved in the last scans

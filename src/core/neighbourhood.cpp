@@ -5,26 +5,34 @@
 namespace stillmap {
 namespace {
 
+constexpr std::uint32_t kStandingMemoryScans = 1;
 constexpr std::uint32_t kMovingMemoryScans = 2;
 
 }  // namespace
 
-void Mapper::State::find_standing_surface() {
+void Mapper::State::find_known_surface() {
   constexpr int kEstablishedHits = 3;
   const float established = log_odds_from_p(decision.p_static_min);
   for (const std::uint32_t index : hit_blocks) {
     VoxelBlock& block = map.block(index);
-    block.standing = 0;
+    block.standing = block.porous = 0;
     block.for_each([&](int place, const Voxel& voxel) {
-      if (voxel.idle == 0 && voxel.hits >= kEstablishedHits && voxel.log_odds() >= established)
+      const float log_odds = voxel.log_odds();
+      if (voxel.idle <= kStandingMemoryScans && voxel.hits >= kEstablishedHits && log_odds >= established)
         block.standing |= cell_bit(place);
+      if (voxel.came_back != 0 && log_odds > 0) block.porous |= cell_bit(place);
     });
   }
 }
 
 CellMask Mapper::State::near_standing_surface(const BlockKey& key) const {
-  return near(key,
-              [this](const VoxelBlock& b) { return b.hit_scan == scan_count ? b.standing : CellMask{0}; });
+  return near(key, [this](const VoxelBlock& b) {
+    return b.hit_scan + kStandingMemoryScans >= scan_count ? b.standing : CellMask{0};
+  });
+}
+
+CellMask Mapper::State::near_porous(const BlockKey& key) const {
+  return near(key, [](const VoxelBlock& b) { return b.porous; });
 }
 
 CellMask Mapper::State::near_moving(const BlockKey& key) const {

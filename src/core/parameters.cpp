@@ -77,7 +77,7 @@ Parameters preset(const std::string& name) {
   p.hit_is_support = false;
   p.support_rate_when_dynamic = p.support_rate_r.front();
   p.history_recent = p.history_spread = 0;
-  p.conflict_beside_surface = 1;
+  p.conflict_beside_surface = p.conflict_porous = 1;
   p.full_support_on_return = false;
   p.resolve_objects = false;
   p.gate_voxel_support = 3;  // section 2.1
