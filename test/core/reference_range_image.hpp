@@ -40,9 +40,9 @@ class RangeImage {
             static_cast<int>(std::floor((d.elevation_rad - elevation_min_rad_) / row_rad_))};
   }
 
-  std::optional<Span> at(const Direction& d) const {
-    const auto [column, row] = pixel(d);
-    return gap_rows_ == 0 ? own_pixel(column, row) : around(column, row);
+  std::optional<Span> at(const Direction& d) const { return at(pixel(d)); }
+  std::optional<Span> at(const std::pair<int, int>& pixel) const {
+    return gap_rows_ == 0 ? own_pixel(pixel.first, pixel.second) : around(pixel.first, pixel.second);
   }
 
  private:

@@ -1,0 +1,144 @@
+// Pieces of one scan's surface: boxes apart, and connectivity against brute force.
+#include "core/clusters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "core/made_scans.hpp"
+
+namespace stillmap {
+namespace {
+
+const Rings kSensor{64, 1024, -22.5F, 22.5F};
+const SensorGeometry kGeometry{kSensor.spacing_deg() * kRad, kSensor.step_deg() * kRad};
+
+/// Plates 10 m ahead, 1.6 m high, each between two azimuths in degrees.
+Scan plates(const std::vector<std::pair<float, float>>& azimuths_deg) {
+  return kSensor.scan([&](float azimuth, float elevation) {
+    if (std::abs(elevation) > 4.5F * kRad) return 0.0F;
+    for (const auto& [from, to] : azimuths_deg)
+      if (azimuth > from * kRad && azimuth < to * kRad) return 10 / (std::cos(azimuth) * std::cos(elevation));
+    return 0.0F;
+  });
+}
+
+std::vector<std::uint8_t> all_usable(const ProjectedScan& scan) {
+  std::vector<std::uint8_t> use(scan.size());
+  for (std::size_t i = 0; i < use.size(); ++i) use[i] = scan.range_m[i] > 0;
+  return use;
+}
+
+TEST(Clusters, OnePlateIsOne) {
+  const Scan scan = plates({{-6, 6}});
+  const ProjectedScan p = projected(scan);
+  Clusters clusters;
+  clusters.find(scan, p, kGeometry, all_usable(p));
+  EXPECT_EQ(clusters.count(), 1U);
+  for (std::size_t row = 0; row < p.size(); ++row)
+    EXPECT_EQ(clusters.of_row()[row], p.range_m[row] > 0 ? 0 : Clusters::kNone);
+}
+
+TEST(Clusters, TwoPlatesApartAreTwo) {
+  const Scan scan = plates({{-16, -6}, {6, 16}});
+  const ProjectedScan p = projected(scan);
+  Clusters clusters;
+  clusters.find(scan, p, kGeometry, all_usable(p));
+  ASSERT_EQ(clusters.count(), 2U);
+  std::map<bool, std::set<std::int32_t>> of_side;
+  for (std::size_t row = 0; row < p.size(); ++row)
+    if (p.range_m[row] > 0) of_side[p.azimuth_rad[row] > 0].insert(clusters.of_row()[row]);
+  EXPECT_EQ(of_side[false].size(), 1U);
+  EXPECT_EQ(of_side[true].size(), 1U);
+  EXPECT_NE(of_side[false], of_side[true]);
+}
+
+TEST(Clusters, ADepthEdgeParts) {
+  const Scan scan = kSensor.scan([](float azimuth, float) { return azimuth > 0 ? 10.0F : 14.0F; });
+  const ProjectedScan p = projected(scan);
+  Clusters clusters;
+  clusters.find(scan, p, kGeometry, all_usable(p));
+  EXPECT_EQ(clusters.count(), 2U);
+}
+
+TEST(Clusters, RowsThatTakeNoPartHaveNone) {
+  const Scan scan = plates({{-16, -6}, {6, 16}});
+  const ProjectedScan p = projected(scan);
+  std::vector<std::uint8_t> use = all_usable(p);
+  for (std::size_t row = 0; row < p.size(); ++row) use[row] = use[row] != 0 && p.azimuth_rad[row] > 0;
+  Clusters clusters;
+  clusters.find(scan, p, kGeometry, use);
+  EXPECT_EQ(clusters.count(), 1U);
+  for (std::size_t row = 0; row < p.size(); ++row)
+    EXPECT_EQ(clusters.of_row()[row] != Clusters::kNone, use[row] != 0);
+}
+
+/// The rows' clusters by flood fill over all pairs of rows that are their pixels' nearest.
+std::vector<int> by_brute_force(const Scan& scan, const ProjectedScan& p) {
+  const SphericalGrid grid(2 * kGeometry.azimuth_step_rad, 0.75F * kGeometry.ring_spacing_rad,
+                           p.elevation_min_rad, p.elevation_max_rad);
+  std::map<int, int> nearest;  // of each pixel
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!(p.range_m[i] > 0)) continue;
+    const int row = static_cast<int>(i);
+    const auto [it, created] = nearest.try_emplace(grid.pixel(p.azimuth_rad[i], p.elevation_rad[i]), row);
+    if (p.range_m[i] < p.range_m[it->second]) it->second = row;
+  }
+  const auto touch = [&](int pixel_a, int a, int pixel_b, int b) {
+    const int apart = std::abs(pixel_a / grid.rows - pixel_b / grid.rows);
+    const int columns = std::min(apart, grid.columns - apart);
+    const int rows = std::abs(pixel_a % grid.rows - pixel_b % grid.rows);
+    const float spacing = std::max(kGeometry.ring_spacing_rad, 2 * kGeometry.azimuth_step_rad);
+    const float reach_m = 0.25F + 1.2F * spacing * std::min(p.range_m[a], p.range_m[b]);
+    return columns <= 2 && rows <= (columns == 2 ? 1 : 2) &&
+           (scan.points[a] - scan.points[b]).norm() <= reach_m;
+  };
+  std::vector<int> cluster(p.size(), -1);
+  int count = 0;
+  for (const auto& [start_pixel, start] : nearest) {
+    if (cluster[start] >= 0) continue;
+    cluster[start] = count;
+    std::vector<std::pair<int, int>> open = {{start_pixel, start}};
+    while (!open.empty()) {
+      const auto [pixel, row] = open.back();
+      open.pop_back();
+      for (const auto& [other_pixel, other] : nearest)
+        if (cluster[other] < 0 && touch(pixel, row, other_pixel, other)) {
+          cluster[other] = count;
+          open.emplace_back(other_pixel, other);
+        }
+    }
+    ++count;
+  }
+  return cluster;
+}
+
+TEST(Clusters, ConnectAsBruteForceDoes) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<float> share(0, 1);
+  for (int trial = 0; trial < 5; ++trial) {
+    float range_m = 8;
+    const Scan scan = kSensor.scan([&](float azimuth, float elevation) {
+      if (share(random) < 0.1F) range_m = 5 + 10 * share(random);
+      const bool seen = std::abs(azimuth) > 170 * kRad && std::abs(elevation) < 8 * kRad;  // over the seam
+      return seen && share(random) < 0.6F ? range_m : 0.0F;
+    });
+    const ProjectedScan p = projected(scan);
+    Clusters clusters;
+    clusters.find(scan, p, kGeometry, all_usable(p));
+    const std::vector<int> expected = by_brute_force(scan, p);
+    std::map<int, int> found_of, expected_of;
+    for (std::size_t row = 0; row < p.size(); ++row) {
+      if (expected[row] < 0) continue;  // not its pixel's nearest
+      const int found = clusters.of_row()[row];
+      EXPECT_EQ(found_of.try_emplace(expected[row], found).first->second, found);
+      EXPECT_EQ(expected_of.try_emplace(found, expected[row]).first->second, expected[row]);
+    }
+    EXPECT_GT(found_of.size(), 10U);
+  }
+}
+
+}  // namespace
+}  // namespace stillmap

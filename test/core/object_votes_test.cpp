@@ -1,0 +1,60 @@
+// The verdict of an object's rows, as a table.
+#include "core/object_votes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stillmap {
+namespace {
+
+struct Case {
+  const char* what;
+  Votes votes;  // rows, dynamic, is_static, established, followed, tested, vanished
+  Reason verdict;
+};
+
+TEST(Votes, Verdict) {
+  const Case cases[] = {
+      {"nobody says anything", {100, 0, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"a few rows prove nothing", {3, 3, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"all decided rows move", {100, 20, 0, 0, 0, 0, 0}, Reason::kObjectMoves},
+      {"under a tenth of the rows moves", {100, 9, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"61 % of the decided rows move", {100, 61, 39, 0, 0, 0, 0}, Reason::kObjectMoves},
+      {"59 % do", {100, 59, 41, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"half of it follows what moved", {100, 0, 0, 0, 50, 0, 0}, Reason::kObjectMoves},
+      {"less than half does", {100, 0, 0, 0, 49, 0, 0}, Reason::kMixedEvidence},
+      {"it follows, but it stood there before", {100, 0, 11, 11, 80, 0, 0}, Reason::kMixedEvidence},
+      {"it replaced what vanished", {100, 0, 0, 0, 0, 40, 20}, Reason::kReplacedVanished},
+      {"most tests found nothing gone", {100, 0, 0, 0, 0, 40, 19}, Reason::kMixedEvidence},
+      {"something vanished before known surface", {100, 0, 60, 60, 0, 40, 40}, Reason::kObjectStands},
+      {"static rows are enough", {100, 0, 50, 0, 0, 0, 0}, Reason::kObjectStands},
+      {"static rows are too few", {100, 0, 49, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"a tenth of the decided moves", {100, 6, 54, 0, 0, 0, 0}, Reason::kObjectStands},
+      {"more than a tenth does", {100, 7, 54, 0, 0, 0, 0}, Reason::kMixedEvidence},
+  };
+  for (const Case& c : cases) EXPECT_EQ(c.votes.verdict(/*static_share=*/0.5F), c.verdict) << c.what;
+}
+
+TEST(Votes, MovesAsAWhole) {
+  EXPECT_TRUE((Votes{100, 30, 30, 5, 0, 0, 0}.moves_as_a_whole()));
+  EXPECT_FALSE((Votes{100, 29, 30, 0, 0, 0, 0}.moves_as_a_whole())) << "no majority";
+  EXPECT_FALSE((Votes{100, 30, 30, 6, 0, 0, 0}.moves_as_a_whole())) << "a part of it is long known";
+}
+
+TEST(Votes, AddCountsARowAndItsClues) {
+  Votes votes;
+  RowClues clues;
+  clues.followed = true;
+  votes.add(Label::kDynamic, clues);
+  votes.add(Label::kUncertain, RowClues{});
+  clues = {};
+  clues.established = true;
+  votes.add(Label::kStatic, clues);
+  EXPECT_EQ(votes.rows, 3);
+  EXPECT_EQ(votes.dynamic, 1);
+  EXPECT_EQ(votes.is_static, 1);
+  EXPECT_EQ(votes.established, 1);
+  EXPECT_EQ(votes.followed, 1);
+}
+
+}  // namespace
+}  // namespace stillmap
