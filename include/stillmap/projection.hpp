@@ -38,6 +38,10 @@ inline Spherical spherical(const Eigen::Vector3f& point_sensor_m) {
           std::sqrt(flat * flat + point_sensor_m.z() * point_sensor_m.z())};
 }
 
+/// spherical() of n points at once, in vector registers: x, y, z in, the rest out.
+void spherical(std::size_t n, const float* x, const float* y, const float* z, float* azimuth_rad,
+               float* elevation_rad, float* range_m);
+
 /// A scan in spherical coordinates; row i belongs to row i of the scan.
 struct ProjectedScan {
   std::vector<float> azimuth_rad, elevation_rad;

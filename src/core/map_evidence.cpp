@@ -1,5 +1,6 @@
 #include <tbb/parallel_for.h>
 
+#include "block_projection.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -22,42 +23,38 @@ void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
   const Eigen::Vector3f center = corner + view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
   if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;
   block.age(scan_count);
-  const auto beside_surface = static_cast<float>(parameters.conflict_beside_surface);
-  const auto porous = static_cast<float>(parameters.conflict_porous);
+  BlockProjection seen;
+  seen.project(block, corner, view, voxel_m);
   CellMask surface = 0;
   bool surface_known = false;
-
+  std::size_t next = 0;
   block.for_each([&](int place, Voxel& voxel) {
+    const Spherical here = seen[next++];
     if (voxel.age == 0) return;  // new: replay judges it
-    const bool hit = block_hit && voxel.idle == 0;
-    if (hit && parameters.hit_is_support) {
-      const float log_odds = voxel.log_odds();
-      const bool full = parameters.full_support_on_return && voxel.came_back;
-      const float eta = full ? models.front().eta : own_hit().eta(log_odds);
-      voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_from_log_odds(log_odds))));
-      return;
-    }
-    const Eigen::Vector3f low = voxel_key(BlockKey::Zero(), place).cast<float>();
-    const Eigen::Vector3f surface_sensor_m =
-        corner + view.R_sensor_map * ((low + voxel.surface_offset()) * voxel_m);
-    const FusedEvidence evidence = view.evidence(surface_sensor_m, models);
+    if (block_hit && voxel.idle == 0 && parameters.hit_is_support) return support(voxel);
+    const FusedEvidence evidence = view.evidence(here, models);
     if (evidence.kind() == Evidence::kUnknown) return;
-    float increment = evidence.increment(voxel.log_odds());
+    float factor = 1;
     if (evidence.kind() == Evidence::kConflict) {
-      if (voxel.came_back != 0) increment *= porous;
-      voxel.see_through();
       if (!surface_known) surface = near_standing_surface(block.key());
       surface_known = true;
-      if ((surface & cell_bit(place)) != 0) increment *= beside_surface;
+      factor = conflict_factor(voxel, (surface & cell_bit(place)) != 0);
+      voxel.see_through();
     }
-    voxel.set_log_odds(recursion(voxel.log_odds(), increment));
+    voxel.set_log_odds(recursion(voxel.log_odds(), factor * evidence.increment(voxel.log_odds())));
   });
 }
 
-FusedEvidence Mapper::State::own_hit() const {
-  FusedEvidence hit;
-  for (const LevelModel& model : models) hit.support(model);
-  return hit;
+void Mapper::State::support(Voxel& voxel) const {
+  const float log_odds = voxel.log_odds();
+  const bool full = parameters.full_support_on_return && voxel.came_back != 0;
+  const float eta = full ? models.front().eta : own_hit.eta(log_odds);
+  voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_from_log_odds(log_odds))));
+}
+
+float Mapper::State::conflict_factor(const Voxel& voxel, bool beside_surface) const {
+  const double porous = voxel.came_back != 0 ? parameters.conflict_porous : 1.0;
+  return static_cast<float>(beside_surface ? porous * parameters.conflict_beside_surface : porous);
 }
 
 }  // namespace stillmap

@@ -23,6 +23,13 @@ SensorGeometry given_geometry(const Parameters& p) {
   return {static_cast<float>(p.ring_spacing_deg) * kRad, static_cast<float>(p.azimuth_step_deg) * kRad};
 }
 
+/// A return from the element itself is support at every level.
+FusedEvidence hit_evidence(const std::vector<LevelModel>& models) {
+  FusedEvidence hit;
+  for (const LevelModel& model : models) hit.support(model);
+  return hit;
+}
+
 void require_valid(const Parameters& parameters) {
   const std::vector<std::string> found = problems(parameters);
   if (found.empty()) return;
@@ -48,9 +55,10 @@ Mapper::State::State(const Parameters& p)
       decision{static_cast<float>(p.p_static_min), static_cast<float>(p.p_dynamic_max)},
       geometry(given_geometry(p)),
       map(p.voxel_size_m),
+      own_hit(hit_evidence(models)),
       history(p.history_recent, p.history_spread),
       arena(p.threads) {
-  if (p.hit_is_support) untold.set_log_odds(recursion(0, own_hit().increment(0)));
+  if (p.hit_is_support) untold.set_log_odds(recursion(0, own_hit.increment(0)));
 }
 
 Mapper::Mapper(const Parameters& parameters) : state_(std::make_unique<State>(parameters)) {}

@@ -39,6 +39,7 @@ struct Mapper::State {
   Decision decision;
   GeometryEstimator geometry;
   VoxelMap map;
+  FusedEvidence own_hit;
   ScanHistory history;
   tbb::task_arena arena;
   Voxel untold;  ///< a new voxel that no earlier scan said anything about
@@ -76,14 +77,16 @@ struct Mapper::State {
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence(const ScanView& view);
   void apply_evidence(const ScanView& view, VoxelBlock& block);
-  FusedEvidence own_hit() const;
+  void support(Voxel& voxel) const;
+  float conflict_factor(const Voxel& voxel, bool beside_surface) const;
 
   // nearest_voxel_evidence.cpp: the literal reading, only the nearest voxel of a pixel is judged
   void apply_evidence_to_nearest(const ScanView& view);
 
   // replay.cpp
   void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
-  float replayed_log_odds(const Eigen::Vector3d& point_map_m, float conflict_factor) const;
+  float replayed_log_odds(const VoxelRef& voxel, const Eigen::Vector3d& point_map_m) const;
+  float replay_conflict_factor(const VoxelRef& voxel) const;
 
   // neighbourhood.cpp
   void find_known_surface();

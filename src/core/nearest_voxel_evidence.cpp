@@ -46,7 +46,7 @@ void Mapper::State::apply_evidence_to_nearest(const ScanView& view) {
   }
   for (std::size_t r = 0; r < models.size(); ++r) judge_nearest(in_view, view.levels()[r], models[r]);
   for (InView& element : in_view) {
-    if (parameters.hit_is_support && element.voxel->idle == 0) element.evidence = own_hit();
+    if (parameters.hit_is_support && element.voxel->idle == 0) element.evidence = own_hit;
     if (element.evidence.kind() == Evidence::kUnknown) continue;
     if (element.evidence.kind() == Evidence::kConflict) element.voxel->see_through();
     const float log_odds = element.voxel->log_odds();

@@ -5,6 +5,16 @@
 
 namespace stillmap {
 
+void spherical(std::size_t n, const float* __restrict x, const float* __restrict y, const float* __restrict z,
+               float* __restrict azimuth_rad, float* __restrict elevation_rad, float* __restrict range_m) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const float flat_squared = x[i] * x[i] + y[i] * y[i];
+    range_m[i] = std::sqrt(flat_squared + z[i] * z[i]);
+    azimuth_rad[i] = fast_atan2(y[i], x[i]);
+    elevation_rad[i] = fast_atan2(z[i], std::sqrt(flat_squared));
+  }
+}
+
 void project(const Scan& scan, float min_range_m, float max_range_m, ProjectedScan& projected) {
   const std::size_t n = scan.points.size();
   projected.azimuth_rad.resize(n);

@@ -5,21 +5,17 @@
 namespace stillmap {
 
 void Mapper::State::replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
-  const auto porous_conflict = static_cast<float>(parameters.conflict_porous);
   tbb::parallel_for(std::size_t{0}, new_voxels.size(), [&](std::size_t i) {
     const NewVoxel& born = new_voxels[i];
-    VoxelBlock& block = map.block(born.voxel.block);
-    const int place = static_cast<int>(born.voxel.place);
-    const bool porous = (near_porous(block.key()) & cell_bit(place)) != 0;
-    const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[born.row].cast<double>();
-    float log_odds = replayed_log_odds(point_map_m, porous ? porous_conflict : 1.0F);
-    if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit().increment(log_odds));
-    block.at(place).set_log_odds(log_odds);
+    float log_odds = replayed_log_odds(born.voxel, T_map_sensor * scan.points[born.row].cast<double>());
+    if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));
+    map.block(born.voxel.block).at(static_cast<int>(born.voxel.place)).set_log_odds(log_odds);
   });
 }
 
-float Mapper::State::replayed_log_odds(const Eigen::Vector3d& point_map_m, float conflict_factor) const {
+float Mapper::State::replayed_log_odds(const VoxelRef& voxel, const Eigen::Vector3d& point_map_m) const {
   float log_odds = 0;
+  float conflict_factor = 0;  // looked up at the first conflict
   history.for_each([&](const ScanView& earlier) {
     const FusedEvidence evidence = earlier.evidence(earlier.to_sensor(point_map_m), models);
     if (evidence.kind() == Evidence::kUnknown) return;
@@ -27,9 +23,16 @@ float Mapper::State::replayed_log_odds(const Eigen::Vector3d& point_map_m, float
     const auto age = static_cast<int>(scan_count - earlier.scan_index);
     const bool support = evidence.kind() == Evidence::kSupport;
     if (support && age < parameters.replay_support_min_age) return;
+    if (!support && conflict_factor <= 0) conflict_factor = replay_conflict_factor(voxel);
     log_odds = recursion(log_odds, (support ? 1.0F : conflict_factor) * evidence.increment(log_odds));
   });
   return log_odds;
+}
+
+float Mapper::State::replay_conflict_factor(const VoxelRef& voxel) const {
+  const CellMask porous = near_porous(map.block(voxel.block).key());
+  const bool beside = (porous & cell_bit(static_cast<int>(voxel.place))) != 0;
+  return beside ? static_cast<float>(parameters.conflict_porous) : 1.0F;
 }
 
 }  // namespace stillmap

@@ -25,7 +25,9 @@ class ScanView {
 
   /// The evidence of this scan about an element at `point_sensor_m`, all levels fused.
   FusedEvidence evidence(const Eigen::Vector3f& point_sensor_m, const std::vector<LevelModel>& models) const {
-    const Spherical s = spherical(point_sensor_m);
+    return evidence(spherical(point_sensor_m), models);
+  }
+  FusedEvidence evidence(const Spherical& s, const std::vector<LevelModel>& models) const {
     FusedEvidence fused;
     for (std::size_t r = 0; r < levels_.size(); ++r) {
       const MeasuredRange measured = levels_[r].at(s.azimuth_rad, s.elevation_rad);
