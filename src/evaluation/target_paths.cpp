@@ -41,18 +41,35 @@ bool keeps_clear(const TargetPath& path, const RecordedScene& scene, const std::
   return true;
 }
 
-/// Points that stand above the ground where the target passes.
+double distance_to_segment_m(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
+  const Vector3d way = to - from;
+  const double along = std::clamp((point - from).dot(way) / std::max(1e-9, way.squaredNorm()), 0.0, 1.0);
+  return (point - from - along * way).norm();
+}
+
+/// Points where the target passes, at the height of its middle.
 std::size_t points_in_the_way(const TargetPath& path, const RecordedScene& scene, const Vector3d& size_m) {
-  const Vector3d end = path.start + scene.times_s.back() * path.velocity_mps;
-  const Eigen::Vector2d way = (end - path.start).head<2>();
-  const double half_width_m = 0.5 * size_m.head<2>().norm();
+  const Vector3d middle(0, 0, 0.6 * size_m.z());
+  const Vector3d from = path.start + middle, to = from + scene.times_s.back() * path.velocity_mps;
+  const double reach_m = std::min(0.5 * size_m.z(), 0.5 * size_m.head<2>().norm());
   return static_cast<std::size_t>(
-      std::count_if(scene.points.begin(), scene.points.end(), [&](const Vector3d& point) {
-        const Eigen::Vector2d from_start = (point - path.start).head<2>();
-        const double along = std::clamp(from_start.dot(way) / std::max(1e-9, way.squaredNorm()), 0.0, 1.0);
-        const double above_m = point.z() - (path.start.z() + along * (end - path.start).z());
-        return above_m > 0.3 && above_m < size_m.z() && (from_start - along * way).norm() < half_width_m;
-      }));
+      std::count_if(scene.points.begin(), scene.points.end(),
+                    [&](const Vector3d& point) { return distance_to_segment_m(point, from, to) < reach_m; }));
+}
+
+/// Points before the target as the sensor sees it in the first, the middle and the last scan.
+std::size_t points_before_it(const TargetPath& path, const RecordedScene& scene, const Vector3d& size_m) {
+  std::size_t count = 0;
+  const std::size_t last = scene.times_s.size() - 1;
+  for (const std::size_t k : {std::size_t{0}, last / 2, last}) {
+    const Vector3d middle =
+        path.start + scene.times_s[k] * path.velocity_mps + Vector3d(0, 0, 0.6 * size_m.z());
+    const Vector3d towards_sensor = (scene.sensor_places[k] - middle).normalized();
+    const Vector3d front = middle + 0.6 * size_m.head<2>().norm() * towards_sensor;
+    for (const Vector3d& point : scene.points)
+      count += distance_to_segment_m(point, scene.sensor_places[k], front) < 0.3 * size_m.z();
+  }
+  return count;
 }
 
 }  // namespace
@@ -74,7 +91,8 @@ TargetPath choose_path(const RecordedScene& scene, const Vector3d& size_m, doubl
     if (!ground_m || !end_ground_m) continue;
     path.start.z() = *ground_m;
     if (duration_s > 0) path.velocity_mps.z() = (*end_ground_m - *ground_m) / duration_s;
-    const std::size_t in_the_way = points_in_the_way(path, scene, size_m);
+    const std::size_t in_the_way =
+        points_in_the_way(path, scene, size_m) + points_before_it(path, scene, size_m);
     if (in_the_way >= least) continue;
     least = in_the_way;
     best = path;

@@ -13,8 +13,9 @@ struct RecordedScene {
   std::vector<double> times_s;                 ///< of every scan, from the first
 };
 
-/// A path near the sensor's that meets as little as possible of what stands there, and none of `taken`. The
-/// same for the same scene and random numbers. Throws std::runtime_error where there is no ground to walk on.
+/// A path near the sensor's with as little as possible of what stands there in it and before it, and clear of
+/// `taken`. The same for the same scene and random numbers. Throws std::runtime_error where there is no
+/// ground to walk on.
 TargetPath choose_path(const RecordedScene& scene, const Eigen::Vector3d& size_m, double speed_mps,
                        const std::vector<TargetPath>& taken, simulation::Random& random);
 

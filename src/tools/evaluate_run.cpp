@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -94,6 +95,11 @@ std::vector<Entry> open_all(const EvaluateJob& job) {
     for (const std::string& folder : expand(path)) entries.push_back(open_folder(folder, job.part));
   if (entries.empty())
     throw std::runtime_error("nothing to evaluate; give SEQUENCES, --semantickitti or --treescope");
+  std::set<std::string> names;
+  for (const Entry& entry : entries)
+    if (!names.insert(entry.name).second)
+      throw std::runtime_error("two sequences are called " + entry.name +
+                               ", so their figures could not be told apart; link one under another name");
   return entries;
 }
 

@@ -75,6 +75,8 @@ TEST_F(EvaluateCommandTest, BrokenInputGetsOneMessage) {
   expect_one_message("nothing to evaluate");
   EXPECT_EQ(evaluate("/no/such/folder"), 1);
   expect_one_message("/no/such/folder: no such folder");
+  EXPECT_EQ(evaluate(room.path() + " " + room.path()), 1);
+  expect_one_message("two sequences are called");
   room.write("labels/000004.label", "1234");
   EXPECT_EQ(evaluate("--methods default " + room.path()), 1);
   expect_one_message("000004.label: 4 bytes");
