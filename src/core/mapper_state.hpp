@@ -116,6 +116,7 @@ struct Mapper::State {
   bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
                          const ScanView& view) const;
   void decide_by_vote();
+  void take_feet_along(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
   void settle(std::size_t row, Reason reason);
   void defer_specks(const Scan& scan);
 };

@@ -17,6 +17,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   decide_by_vote();
   defer_specks(scan);
   remember_moving();
+  take_feet_along(scan, R_map_sensor);
 }
 
 void Mapper::State::separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
@@ -115,6 +116,24 @@ void Mapper::State::decide_by_vote() {
     if (just_static && reason != Reason::kReplacedVanished && !object_votes[object].moves_as_a_whole())
       continue;
     settle(row, reason);
+  }
+}
+
+// Undecided returns just above the ground, right beside what moves: feet and tyres.
+void Mapper::State::take_feet_along(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  constexpr float kAboveGroundM = 0.04F;
+  std::uint32_t last_block = VoxelRef::kNone;
+  CellMask moving_near = 0;
+  for (std::size_t row = 0; row < clues.size(); ++row) {
+    if (!clues[row].ground || labels.reason[row] != Reason::kObjectStands) continue;
+    const VoxelRef at = voxel_of_row[row];
+    if (at.block != last_block) {
+      last_block = at.block;
+      moving_near = near_moving(map.block(at.block).key());
+    }
+    if ((moving_near & cell_bit(static_cast<int>(at.place))) == 0) continue;
+    if (ground.height_above(R_map_sensor * scan.points[row]) > kAboveGroundM)
+      settle(row, Reason::kObjectMoves);
   }
 }
 
