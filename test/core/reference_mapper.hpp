@@ -1,26 +1,14 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <memory>
-#include <set>
-#include <string>
 
+#include "core/reference_known_surface.hpp"
 #include "core/reference_range_image.hpp"
 #include "stillmap/parameters.hpp"
 #include "stillmap/types.hpp"
 
 namespace stillmap::reference {
-
-using Key = std::array<int, 3>;
-
-/// A voxel in plain words; log-odds and surface are kept in the steps of the real one.
-struct Voxel {
-  double log_odds = 0;
-  Eigen::Vector3d surface = Eigen::Vector3d::Constant(0.5);  ///< in voxel edges
-  int born = 0, last_hit = 0, hits = 0;
-  bool was_seen_through = false, came_back = false;
-};
 
 /// A scan as later ones remember it.
 struct View {
@@ -43,7 +31,7 @@ class Mapper {
     } else {
       judge_all(*view);
     }
-    for (const auto& [key, point] : born) voxels_[key].log_odds = kept(replayed(point));
+    for (const auto& [key, point] : born) voxels_[key].log_odds = kept(replayed(key, point));
     views_.push_back(view);
     return decide(scan, T_map_sensor);
   }
@@ -61,7 +49,6 @@ class Mapper {
     bool support = false;
   };
 
-  static double probability(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
   static double kept(double log_odds) { return std::round(log_odds * 2048) / 2048; }
 
   Direction seen(const Eigen::Vector3d& point_sensor_m) const {
@@ -107,7 +94,7 @@ class Mapper {
   void hit(Voxel& voxel, const Eigen::Vector3d& offset, bool created) const {
     if (created) voxel.born = scan_;
     if (voxel.last_hit != scan_) {
-      voxel.came_back = voxel.was_seen_through && scan_ - voxel.last_hit >= 2;
+      if (voxel.was_seen_through && scan_ - voxel.last_hit >= 2) voxel.came_back = true;
       ++voxel.hits;
       voxel.last_hit = scan_;
     }
@@ -158,7 +145,7 @@ class Mapper {
 
   /// Every voxel known before compares its own range with the images.
   void judge_all(const View& view) {
-    const std::set<Key> standing = standing_cells();
+    known_surface_.update(voxels_, scan_, p_.p_static_min);
     for (auto& [key, voxel] : voxels_) {
       if (voxel.born == scan_) continue;
       if (voxel.last_hit == scan_ && p_.hit_is_support) {
@@ -168,24 +155,11 @@ class Mapper {
       }
       const Fused fused = evidence(view, surface_of(key, voxel));
       if (fused.conflict > 0) voxel.was_seen_through = true;
-      const double factor = beside(standing, key) ? p_.conflict_beside_surface : 1;
-      voxel.log_odds = kept(updated(voxel.log_odds, fused, factor));
+      const double porous = voxel.came_back ? p_.conflict_porous : 1;
+      const double beside =
+          fused.conflict > 0 && known_surface_.stands_beside(key, scan_) ? p_.conflict_beside_surface : 1;
+      voxel.log_odds = kept(updated(voxel.log_odds, fused, porous * beside));
     }
-  }
-
-  /// Cells of 2 x 2 x 2 voxels where this scan hits surface that is known to stand.
-  std::set<Key> standing_cells() const {
-    std::set<Key> cells;
-    for (const auto& [key, voxel] : voxels_)
-      if (voxel.last_hit == scan_ && voxel.hits >= 3 && probability(voxel.log_odds) >= p_.p_static_min)
-        cells.insert({key[0] >> 1, key[1] >> 1, key[2] >> 1});
-    return cells;
-  }
-  static bool beside(const std::set<Key>& cells, const Key& key) {
-    for (int i = 0; i < 27; ++i)
-      if (cells.count({(key[0] >> 1) + i % 3 - 1, (key[1] >> 1) + i / 3 % 3 - 1, (key[2] >> 1) + i / 9 - 1}))
-        return true;
-    return false;
   }
 
   /// The literal reading: at each level only the nearest voxel of a pixel is judged.
@@ -206,14 +180,15 @@ class Mapper {
       voxels_[key].log_odds = kept(updated(voxels_[key].log_odds, evidence));
   }
 
-  double replayed(const Eigen::Vector3d& point_map_m) const {
+  double replayed(const Key& key, const Eigen::Vector3d& point_map_m) const {
     double log_odds = 0;
+    const double factor = known_surface_.is_porous_beside(key) ? p_.conflict_porous : 1;
     if (p_.history_recent + p_.history_spread > 0)
       for (std::size_t i = 0; i < views_.size(); ++i) {
         Fused fused = evidence(*views_[i], point_map_m);
         const auto age = static_cast<int>(views_.size() - i);
         if (fused.conflict == 0 && age < p_.replay_support_min_age) fused.support = false;
-        log_odds = updated(log_odds, fused);
+        log_odds = updated(log_odds, fused, factor);
       }
     return p_.hit_is_support ? updated(log_odds, {0, true}) : log_odds;
   }
@@ -238,6 +213,7 @@ class Mapper {
   Parameters p_;
   int scan_ = 0;
   std::map<Key, Voxel> voxels_;
+  KnownSurface known_surface_;
   std::vector<std::shared_ptr<const View>> views_;
 };
 

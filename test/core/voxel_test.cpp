@@ -74,6 +74,9 @@ TEST(Voxel, CameBackIfHitAgainAfterItWasSeenThrough) {
   EXPECT_TRUE(voxel.came_back);
   voxel.hit(kMiddle);
   EXPECT_TRUE(voxel.came_back) << "another return of the same scan";
+  voxel.idle = 1;
+  voxel.hit(kMiddle);
+  EXPECT_TRUE(voxel.came_back) << "once porous, always porous";
 }
 
 }  // namespace
