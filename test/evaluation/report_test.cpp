@@ -11,13 +11,16 @@ namespace stillmap {
 namespace {
 
 std::vector<SequenceResult> evaluate_room(const TemporaryFolder& room,
-                                          const std::vector<std::string>& methods) {
+                                          const std::vector<std::string>& methods,
+                                          std::size_t max_points = 1000) {
   SequenceResult result;
   result.name = "room";
   result.run = "6 scans";
   result.paper = PaperExperiment::semantic_kitti();
   for (const std::string& name : methods) {
-    LabelledFolder sequence(room.path());
+    PartOptions part;
+    part.max_points = max_points;
+    SequencePart sequence(std::make_unique<LabelledFolder>(room.path()), part);
     RunOptions options;
     options.picture_points = 1000;
     result.methods.push_back(run_method(sequence, choose_method(name, Parameters()), options, [] {}));
@@ -69,7 +72,7 @@ TEST_F(ReportTest, WithoutMovingThingsFiguresAreNotDefined) {
 }
 
 TEST_F(ReportTest, MethodsDoWhatTheyAreFor) {
-  const SequenceResult result = evaluate_room(room, {"default", "octomap"})[0];
+  const SequenceResult result = evaluate_room(room, {"default", "octomap"}, 0)[0];
   EXPECT_GT(*result.methods[0].final.total().figures(Uncertain::kKept).score, 90.0);
   EXPECT_TRUE(result.methods[0].at_once);
   EXPECT_FALSE(result.methods[0].final.probabilities().empty());
