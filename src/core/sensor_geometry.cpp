@@ -32,6 +32,22 @@ std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const s
   return gaps;
 }
 
+/// Mean angle between neighbouring returns of a scan without order: the root of the solid angle, in azimuth
+/// times elevation, that one return has. The field of view is counted in cells.
+float mean_spacing_rad(const ProjectedScan& scan) {
+  constexpr float kCell = 4.0F * kRad, kHalfTurn = 3.14159265F;
+  constexpr int kColumns = 91, kRows = 46;
+  std::vector<char> occupied(kColumns * kRows, 0);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (!(scan.range_m[i] > 0)) continue;
+    const int column = static_cast<int>((scan.azimuth_rad[i] + kHalfTurn) / kCell);
+    const int row = static_cast<int>((scan.elevation_rad[i] + 0.5F * kHalfTurn) / kCell);
+    occupied[column * kRows + row] = 1;
+  }
+  const auto cells = static_cast<float>(std::count(occupied.begin(), occupied.end(), 1));
+  return kCell * std::sqrt(cells / static_cast<float>(std::max<std::size_t>(1, scan.judged)));
+}
+
 }  // namespace
 
 SensorGeometry measure_geometry(const ProjectedScan& scan) {
@@ -45,6 +61,11 @@ SensorGeometry measure_geometry(const ProjectedScan& scan) {
   SensorGeometry found;
   if (rings.size() >= kEnough) found.ring_spacing_rad = quantile(rings, 0.75);
   if (steps.size() >= kEnough) found.azimuth_step_rad = quantile(steps, 0.5);
+  // Rings and steps must explain how many returns there are; else the pattern has neither.
+  constexpr float kFarFromRings = 3.0F;
+  const float mean_rad = mean_spacing_rad(scan);
+  if (found.ring_spacing_rad * found.azimuth_step_rad > kFarFromRings * mean_rad * mean_rad)
+    found.ring_spacing_rad = found.azimuth_step_rad = mean_rad;
   return found;
 }
 

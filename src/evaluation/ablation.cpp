@@ -17,11 +17,18 @@ struct AblationSwitch {
 const std::vector<AblationSwitch>& switches() {
   static const std::vector<AblationSwitch> kSwitches = {
       {"no objects and surfaces", {{"resolve_objects", "false"}}},
+      {"objects: do not follow", {{"follow_objects", "false"}}},
+      {"objects: no vanish test", {{"vanish_test", "false"}}},
+      {"objects: specks stay", {{"speck_size_m", "0"}}},
+      {"conflict beside surface counts in full", {{"conflict_beside_surface", "1"}}},
+      {"conflict with porous things counts in full", {{"conflict_porous", "1"}}},
+      {"no full support on return", {{"full_support_on_return", "false"}}},
       {"no replay of earlier scans", {{"history_recent", "0"}, {"history_spread", "0"}}},
       {"no replay chosen by place", {{"history_spread", "0"}}},
       {"replayed support of any age", {{"replay_support_min_age", "1"}}},
       {"full support while dynamic", {{"support_rate_when_dynamic", "0.8"}}},
       {"one coarse image", {{"angular_levels_deg", "[2.0]"}}},
+      {"the paper's three images", {{"angular_levels_deg", "[2.5, 2.0, 1.5]"}}},
       {"a hit is no support", {{"hit_is_support", "false"}}},
       {"nearest voxel of a pixel only", {{"evidence_goes_to", "nearest_voxel"}}},
       {"no forgetting", {{"forgetting", "0"}}}};
