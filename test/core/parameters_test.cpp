@@ -56,7 +56,7 @@ TEST(Parameters, PresetsAreValid) {
 TEST(Parameters, PaperIsTheLiteralReading) {
   const Parameters p = preset("paper");
   EXPECT_EQ(p.angular_levels_deg, (std::vector<double>{2.5, 2.0, 1.5}));
-  EXPECT_EQ(p.evidence_goes_to, "nearest_voxel");
+  EXPECT_EQ(p.evidence_goes_to, "every_voxel");
   EXPECT_EQ(p.voxel_size_m, 0.05);  // table 1
   EXPECT_EQ(p.gate_voxel_support, 3);
   EXPECT_EQ(p.gate_neighbourhood_support, 60);
