@@ -32,6 +32,8 @@ void NodeDiagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& out) {
   out.add("scans", status_.scans);
   out.add("voxels", status_.voxels);
   out.add("process_ms", status_.process_ms);
+  for (std::size_t i = 0; i < status_.stage_ms.size(); ++i)
+    out.add("process_ms: " + status_.stages[i], status_.stage_ms[i]);
   out.add("waiting", status_.waiting);
   for (std::size_t i = 0; i < status_.dropped.size(); ++i)
     out.add("dropped: " + status_.drop_reasons[i], status_.dropped[i]);

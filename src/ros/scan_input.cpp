@@ -21,8 +21,9 @@ std::string advice(const std::string& reason) {
 
 }  // namespace
 
-ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, ThrottledLog& log)
-    : parameters_(parameters), log_(log) {
+ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, const std::string& own_prefix,
+                     ThrottledLog& log)
+    : parameters_(parameters), own_prefix_(own_prefix), log_(log) {
   const PairingOptions options = check_node_parameters(parameters);
   if (parameters.odom_topic.empty()) {
     tf_poses_ = std::make_unique<TfPoses>(parameters.fixed_frame, parameters.body_frame);
@@ -39,12 +40,14 @@ ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, Throt
 
 void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   const std::lock_guard lock(mutex_);
+  cloud_silence_.heard(Clock::now());
   pairing_->add_cloud(cloud);
   arrived_.notify_one();
 }
 
 void ScanInput::on_odometry(const nav_msgs::OdometryConstPtr& odometry) {
   const std::lock_guard lock(mutex_);
+  odometry_silence_.heard(Clock::now());
   try {
     pairing_->add_odometry(*odometry);
     odometry_frame_ = without_leading_slash(odometry->header.frame_id);
@@ -83,6 +86,27 @@ void ScanInput::warn_when_waiting_long() {
   if (Clock::now() - last_taken_ < kLongWait) return;
   log_.warn("waiting", parameters_.cloud_topic + ": " + std::to_string(pairing_->waiting()) +
                            " scans wait for their pose: " + pairing_->waiting_for() + advice("no_pose"));
+}
+
+void ScanInput::warn_of_silence() {
+  warn_of_silence(cloud_silence_, cloud_subscriber_, "sensor_msgs/PointCloud2", "cloud_topic");
+  if (!tf_poses_) warn_of_silence(odometry_silence_, odometry_subscriber_, "nav_msgs/Odometry", "odom_topic");
+}
+
+void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subscriber, const char* type,
+                                const char* parameter) {
+  std::optional<std::chrono::seconds> silence;
+  {
+    const std::lock_guard lock(mutex_);
+    silence = watch.due(Clock::now());
+  }
+  if (!silence) return;
+  const ListenedTopic topic{subscriber.getTopic(), type, parameter};
+  ros::master::V_TopicInfo published;
+  ros::master::getTopics(published);  // not under the lock: may take long
+  log_.warn(std::string("silent ") + parameter,
+            topic.name + ": nothing has come for " + std::to_string(silence->count()) +
+                " s: " + why_silent(topic, subscriber.getNumPublishers(), published, own_prefix_));
 }
 
 void ScanInput::on_drop(const std::string& reason, const std::string& text) {

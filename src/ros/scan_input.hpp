@@ -12,6 +12,7 @@
 
 #include "messages/scan_pairing.hpp"
 #include "ros/node_parameters.hpp"
+#include "ros/silence_watch.hpp"
 #include "ros/tf_poses.hpp"
 #include "ros/throttled_log.hpp"
 
@@ -20,10 +21,14 @@ namespace stillmap {
 /// The subscriptions. Callbacks only put messages into the queue; a worker takes paired scans out of it.
 class ScanInput {
  public:
-  ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, ThrottledLog& log);
+  /// Topics below `own_prefix` are the node's own outputs.
+  ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, const std::string& own_prefix,
+            ThrottledLog& log);
 
   /// The next scan with its pose, waiting for one no longer than `patience`.
   std::optional<PairedScan> next(std::chrono::milliseconds patience);
+  /// Once in a while when nothing comes; asks the master what there is.
+  void warn_of_silence();
   void close();  ///< takes no more messages; what is queued can still be taken
 
   std::size_t waiting() const;
@@ -36,9 +41,12 @@ class ScanInput {
   void on_drop(const std::string& reason, const std::string& text);
   std::optional<PairedScan> take();
   void warn_when_waiting_long();
+  void warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subscriber, const char* type,
+                       const char* parameter);
 
   using Clock = std::chrono::steady_clock;
   const NodeParameters parameters_;
+  const std::string own_prefix_;
   ThrottledLog& log_;
   std::unique_ptr<TfPoses> tf_poses_;  ///< with tf2 alone
   mutable std::mutex mutex_;           ///< of all below
@@ -46,6 +54,7 @@ class ScanInput {
   std::unique_ptr<ScanPairing> pairing_;
   std::string odometry_frame_;
   Clock::time_point last_taken_ = Clock::now();
+  SilenceWatch cloud_silence_{last_taken_}, odometry_silence_{last_taken_};
   ros::Subscriber cloud_subscriber_, odometry_subscriber_;
 };
 

@@ -22,7 +22,7 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       map_outputs_(private_nh, settings_.node.map_period_s),
       services_(private_nh, shared_),
       diagnostics_(nh, private_nh),
-      input_(nh, settings_.node, log_) {
+      input_(nh, settings_.node, private_nh.getNamespace() + "/", log_) {
   shared_.mapper.set_listener(&stage_timer_);
   for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
   const NodeParameters& node = settings_.node;
@@ -65,7 +65,10 @@ void StillmapRos::process(const PairedScan& paired) {
 
 void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, double process_ms) {
   const LabelCounts counts = count(labels);
-  if (judged(counts) == 0)
+  if (labels.label.empty())
+    log_.warn("empty", settings_.node.cloud_topic +
+                           ": a scan has no rows; the map stays as it is. Check the sensor's driver");
+  else if (judged(counts) == 0)
     log_.warn("unusable", settings_.node.cloud_topic + ": a scan of " + std::to_string(labels.label.size()) +
                               " rows has no usable return (all NaN, zero or nearer than min_range_m); the "
                               "map stays as it is. Check the sensor's driver");
@@ -82,6 +85,7 @@ void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, dou
 }
 
 void StillmapRos::between_scans() {
+  input_.warn_of_silence();
   status_.waiting = static_cast<std::uint32_t>(input_.waiting());
   status_.drop_reasons.clear();
   status_.dropped.clear();
