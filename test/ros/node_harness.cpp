@@ -80,7 +80,12 @@ bool NodeHarness::said(const std::string& words, double patience_s) {
       patience_s);
 }
 
-sensor_msgs::PointCloud2Ptr room_cloud(int k) {
+ros::Time room_stamp(int k) {
+  ros::Time stamp;
+  return stamp.fromNSec(kFirstStamp_ns + k * kTenth_ns);
+}
+
+std::vector<Eigen::Vector3d> room_points() {
   std::vector<Eigen::Vector3d> points;
   for (int column = 0; column < 360; ++column)
     for (int ring = -8; ring < 8; ++ring) {
@@ -89,12 +94,16 @@ sensor_msgs::PointCloud2Ptr room_cloud(int k) {
                                       std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
       points.push_back(direction * range_in_room(direction));
     }
-  return make_cloud(points, kFirstStamp_ns + k * kTenth_ns);
+  return points;
+}
+
+sensor_msgs::PointCloud2Ptr room_cloud(int k) {
+  return make_cloud(room_points(), room_stamp(k).toNSec());
 }
 
 nav_msgs::Odometry room_odometry(int k) {
   nav_msgs::Odometry odometry;
-  odometry.header.stamp.fromNSec(kFirstStamp_ns + k * kTenth_ns);
+  odometry.header.stamp = room_stamp(k);
   odometry.header.frame_id = "/camera_init";
   odometry.child_frame_id = "body";
   odometry.pose.pose.orientation.w = 1;

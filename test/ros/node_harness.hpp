@@ -52,7 +52,10 @@ class NodeHarness {
   std::vector<std::string> log_;
 };
 
-/// Scan k of a sensor that stands in an empty room, at kFirstStamp_s + k/10 s.
+/// What a sensor sees that stands in an empty room.
+std::vector<Eigen::Vector3d> room_points();
+/// Its scan k, ten a second.
+ros::Time room_stamp(int k);
 sensor_msgs::PointCloud2Ptr room_cloud(int k);
 nav_msgs::Odometry room_odometry(int k);
 
