@@ -36,6 +36,7 @@ std::string tables_markdown(const std::vector<SequenceResult>& results) {
       "Without a word, uncertain counts as kept (only dynamic is removed); \"dropped\": only static is "
       "kept. Counted per input point. Final: by the map after the last scan, truth labels/. At once: at the "
       "scan's own time, truth labels_now/ where there is one.\n\n";
+  text += "PR / RR / score, final:\n\n" + overview_table(results).markdown() + "\n";
   for (const SequenceResult& result : results) {
     text += "## " + result.name + "\n\nThis run: " + result.run + ".\n\n";
     if (result.paper)

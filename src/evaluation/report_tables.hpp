@@ -15,6 +15,8 @@ TextTable threshold_table(const std::vector<SequenceResult>& results);
 TextTable calibration_table(const std::vector<SequenceResult>& results);
 TextTable cost_table(const std::vector<SequenceResult>& results);
 
+/// PR / RR / score of the final verdicts, uncertain kept: a line for each sequence, a column for each method.
+TextTable overview_table(const std::vector<SequenceResult>& results);
 /// Tables 2 and 3 in the paper's form, the paper's own figures beside ours.
 TextTable paper_form_table(const SequenceResult& result);
 /// The verdicts at the scans' own time.
