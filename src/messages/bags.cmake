@@ -1,6 +1,4 @@
 # Recorded bags, read and written without a roscore. Included by CMakeLists.txt beside this file.
-find_package(roscpp_serialization REQUIRED)
-
 add_library(stillmap_bags
   bag_sequence.cpp
   bag_writer.cpp)
