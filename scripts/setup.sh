@@ -10,12 +10,14 @@ packages=(
   libdiagnostic-updater-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev
   libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev pluginlib-dev
   # ROS 1: tools at run time
-  libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-sensor-msgs python3-std-srvs rosout
+  libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
+  python3-sensor-msgs python3-std-srvs rosout
   # ROS 1: tests
   librostest-dev python3-rostest python3-rosunit libgtest-dev
   # Other libraries
-  libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libyaml-cpp-dev nlohmann-json3-dev
-  robin-map-dev
+  libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev robin-map-dev
+  # Figures
+  python3-matplotlib python3-numpy
   # Tools of the scripts
   git "$@"
 )

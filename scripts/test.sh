@@ -1,32 +1,49 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, runs every test; builds and tests the part without ROS, too.
+# Installs what is missing, builds everything, runs every test. Then it builds without ROS, which must also work, and
+# runs the command line of that build; its tests would be the same ones again.
 # The build folders are build/ and build_core/ in the repository.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export PATH=/usr/bin:$PATH  # another python3 before the system's breaks catkin
+trap 'echo "test.sh: failed at line $LINENO after $SECONDS s: $BASH_COMMAND" >&2' ERR
 
-bash scripts/setup.sh
-
-options=()
-if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-
-# FOLDER [CMAKE OPTIONS]: plain ctest, whose exit code counts; run_tests' does not.
-build_and_test() {
-  local folder=$1
+# NAME COMMAND...: runs it and notes the wall time.
+times=""
+timed() {
+  local name=$1 start=$SECONDS
   shift
-  cmake -S . -B "$folder" "${options[@]}" "$@"
+  "$@"
+  times+=$(printf '%5d s  %s' $((SECONDS - start)) "$name")$'\n'
+}
+
+# FOLDER [CMAKE OPTIONS]
+build() {
+  local folder=$1 launcher=()
+  shift
+  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  cmake -S . -B "$folder" "${launcher[@]}" "$@"
   cmake --build "$folder" -j "$(nproc)"
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error 2>&1 | tee "$folder/ctest.log"
 }
 
-# FOLDER: how many passed, and the five slowest.
-report() {
-  echo
-  echo "$1: $(grep 'tests passed' "$1/ctest.log")"
-  grep -E 'Test +#[0-9]+:.* sec' "$1/ctest.log" | sed -E 's/^.*: (\S+) .* ([0-9.]+) sec.*$/\2 s  \1/' | sort -rn | head -5
+# Plain ctest, whose exit code counts; run_tests' does not. The rostests are alone while they run.
+run_tests() {
+  ctest --test-dir build -j "$(nproc)" --output-on-failure --no-tests=error 2>&1 | tee build/ctest.log
 }
 
-build_and_test build
-build_and_test build_core -DSTILLMAP_WITH_ROS=OFF
-report build
-report build_core
+label_without_ros() {
+  local stillmap=build_core/devel/lib/stillmap/stillmap
+  rm -rf build_core/street build_core/labels
+  "$stillmap" simulate street build_core/street --sensor vlp16 --scans 5
+  "$stillmap" label build_core/street build_core/labels
+}
+
+timed "install" bash scripts/setup.sh
+timed "build" build build
+timed "tests" run_tests
+timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF
+timed "label without ROS" label_without_ros
+
+printf '\nSlowest tests:\n'
+sed -nE 's/^.*Test +#[0-9]+: (\S+) .* ([0-9.]+) sec.*$/\2 s  \1/p' build/ctest.log | sort -rn | head -10 | sed 's/^/  /'
+printf '\nWall time:\n%s%5d s  total\n' "$times" $SECONDS
+printf '\n%s\n' "$(grep 'tests passed' build/ctest.log)"
