@@ -1,0 +1,123 @@
+// Movers that are hard to tell: those whose place was never seen empty, and those who pause.
+#include <gtest/gtest.h>
+
+#include "simulation/path.hpp"
+#include "simulation/structures.hpp"
+#include "simulation/traffic.hpp"
+#include "world/world_run.hpp"
+
+namespace stillmap::simulation {
+namespace {
+
+World road_between_houses(double length_m) {
+  World world;
+  world.add_ground(0, surfaces::kRoad);
+  Random random(31);
+  for (const int side : {-1, 1})
+    for (double x = -30; x < length_m; x += 14) add_house(&world, {x, side * 9.0}, 12, 8, 7, side, &random);
+  return world;
+}
+
+World corridor(double length_m) {
+  World world;
+  world.add_ground(0, surfaces::kFloor);
+  for (const double y : {-1.5, 1.5}) add_wall(&world, {-3, y}, {length_m, y}, 0.2, 3, surfaces::kWall);
+  for (const double x : {-3.0, length_m}) add_wall(&world, {x, -1.5}, {x, 1.5}, 0.2, 3, surfaces::kWall);
+  return world;
+}
+
+/// Index of the first scan from `from` on that labels at least half of what moves dynamic.
+int first_flagged(const std::vector<JudgedScan>& scans, int from) {
+  for (int k = from; k < static_cast<int>(scans.size()); ++k)
+    if (percent(scans[static_cast<std::size_t>(k)], is_moving, Label::kDynamic) >= 50) return k;
+  return 1000;
+}
+
+double flagged(const std::vector<JudgedScan>& scans, std::size_t from, std::size_t to) {
+  return percent(scans, from, to, is_moving, Label::kDynamic);
+}
+
+const std::string kSensors[] = {"vlp16",
+                                "os1_64"};  // what is measured stands beside the bounds, in this order
+
+TEST(HardMovers, ACarAheadAtTheSensorsOwnSpeed) {
+  World world = road_between_houses(100);
+  Random random(32);
+  add_car(&world, Path({{12, 0}, {120, 0}}), SpeedProfile::constant(8), &random);
+  const auto scans = run(world, driving(8, 1.7), {"os1_64", 50});
+  EXPECT_LE(measured("scans until half of it is flagged", first_flagged(scans, 0)), 3);    // 1
+  EXPECT_GE(measured("then flagged, %", flagged(scans, 10, 50)), 92);                      // 96.9
+  EXPECT_LE(measured("static, %", percent(scans, 10, 50, is_moving, Label::kStatic)), 4);  // 1.6
+}
+
+TEST(HardMovers, SomeoneAheadIndoorsAtTheSensorsPace) {
+  World world = corridor(14);
+  Random random(33);
+  add_person(&world, Path({{2.5, 0}, {30, 0}}), SpeedProfile::constant(0.8), &random);
+  for (const std::string& sensor : kSensors) {
+    const auto scans = run(world, driving(0.8, 1.0), {sensor, 80});
+    EXPECT_LE(measured(sensor + ": scans until half is flagged", first_flagged(scans, 0)), 6);  // 4, 4
+    EXPECT_GE(measured(sensor + ": then flagged, %", flagged(scans, 15, 80)), 64);              // 75, 71
+    const double walls_dynamic = percent(scans, 0, 80, is_standing, Label::kDynamic);
+    EXPECT_LE(measured(sensor + ": walls dynamic, %", walls_dynamic), 0.1);  // 0.00
+  }
+}
+
+TEST(HardMovers, SomeoneWhoStandsThenWalks) {
+  World world = road_between_houses(60);
+  Random random(34);
+  add_person(&world, Path({{8, 2}, {8, -8}}), SpeedProfile::starting(3, 1.3), &random);
+  for (const std::string& sensor : kSensors) {
+    const auto scans = run(world, driving(0.5, 1.5), {sensor, 60});
+    const double while_standing = percent(scans, 0, 30, of_class(kPerson), Label::kDynamic);
+    EXPECT_LE(measured(sensor + ": dynamic while standing, %", while_standing), 1);  // 0
+    const int delay = first_flagged(scans, 31) - 30;
+    EXPECT_LE(measured(sensor + ": scans until half is flagged", delay), 8);        // 6, 6
+    EXPECT_GE(measured(sensor + ": then flagged, %", flagged(scans, 45, 60)), 94);  // 98
+  }
+}
+
+TEST(HardMovers, SomeoneWhoStops) {
+  // Walks for 3 s, then stands: he must not be taken into the static map soon.
+  World world = road_between_houses(60);
+  Random random(35);
+  add_person(&world, Path({{8, 4}, {8, -8}}), SpeedProfile::stopping(3, 1.3), &random);
+  for (const std::string& sensor : kSensors) {
+    const auto scans = run(world, standing_at(0, 0, 1.5), {sensor, 60});
+    EXPECT_GE(measured(sensor + ": walking, flagged, %", flagged(scans, 5, 28)), 90);  // 94, 99
+    const double first_second = percent(scans, 30, 40, is_moving, Label::kStatic);
+    EXPECT_LE(measured(sensor + ": first second of standing, static, %", first_second), 18);  // 11, 5
+    const double third_second = percent(scans, 50, 60, is_moving, Label::kStatic);
+    EXPECT_LE(measured(sensor + ": third second of standing, static, %", third_second), 30);  // 22, 12
+  }
+}
+
+TEST(HardMovers, ADoorThatOpens) {
+  World world = corridor(8);
+  add_door(&world, {5, -0.5}, M_PI / 2, 1.4, 2, 1.0, 2.1);
+  Mapper mapper{Parameters{}};
+  const auto scans = run(&mapper, world, standing_at(0, 0, 1.2), {"os1_64", 60});
+  const double closed = percent(scans, 0, 19, is_standing, Label::kDynamic);
+  EXPECT_LE(measured("closed: dynamic, %", closed), 0.1);                  // 0
+  EXPECT_GE(measured("opening: flagged, %", flagged(scans, 24, 40)), 42);  // 48
+  const Eigen::AlignedBox3d doorway = box({4.8, -0.3, 0.3}, {5.2, 0.4, 1.9});
+  EXPECT_LE(measured("doorway still static, %", percent_of_voxels(mapper, doorway, Label::kStatic)), 1);  // 0
+}
+
+TEST(HardMovers, FeetAndTheGroundTheyWalkOn) {
+  World world = road_between_houses(60);
+  Random random(36);
+  for (int person = 0; person < 5; ++person) {
+    const double x = 4 + 2 * person;
+    add_person(&world, Path({{x, 6}, {x, -8}}), SpeedProfile::constant(1.2), &random);
+  }
+  Mapper mapper{Parameters{}};
+  const auto scans = run(&mapper, world, standing_at(0, 0, 1.2), {"os1_64", 50});
+  EXPECT_GE(measured("people flagged at once, %", flagged(scans, 10, 50)), 93);                 // 97.0
+  EXPECT_LE(measured("people left in the end, %", percent_kept(mapper, scans, is_moving)), 4);  // 2.2
+  const double ground_kept = percent_kept(mapper, scans, of_class(surfaces::kRoad.semantic_class));
+  EXPECT_GE(measured("ground kept, %", ground_kept), 99.8);  // 99.97
+}
+
+}  // namespace
+}  // namespace stillmap::simulation
