@@ -17,12 +17,6 @@ struct AblationSwitch {
 const std::vector<AblationSwitch>& switches() {
   static const std::vector<AblationSwitch> kSwitches = {
       {"no objects and surfaces", {{"resolve_objects", "false"}}},
-      {"objects forget earlier scans", {{"follow_objects", "false"}}},
-      {"no vanish test", {{"vanish_test", "false"}}},
-      {"specks are not deferred", {{"speck_size_m", "0"}}},
-      {"full conflict beside surface", {{"conflict_beside_surface", "1"}}},
-      {"full conflict in porous things", {{"conflict_porous", "1"}}},
-      {"no full support on return", {{"full_support_on_return", "false"}}},
       {"objects: do not follow", {{"follow_objects", "false"}}},
       {"objects: no vanish test", {{"vanish_test", "false"}}},
       {"objects: specks stay", {{"speck_size_m", "0"}}},
