@@ -20,7 +20,8 @@ struct SnapshotVoxel {
 struct MapSnapshot {
   std::int64_t stamp_ns = 0;  ///< of the newest scan in it
   double voxel_size_m = 0;
-  std::vector<SnapshotVoxel> voxels;  ///< in a fixed order: by block key, then by place in the block
+  std::vector<SnapshotVoxel>
+      voxels;  ///< in the order in which the map met their blocks, then by place in the block
 };
 using MapSnapshotPtr = std::shared_ptr<const MapSnapshot>;
 

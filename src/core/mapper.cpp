@@ -1,13 +1,9 @@
 #include "stillmap/mapper.hpp"
 
-#include <tbb/parallel_for.h>
-
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "mapper_state.hpp"
-#include "structure_gates.hpp"
 
 namespace stillmap {
 namespace {
@@ -106,66 +102,6 @@ void Mapper::State::evidence_of(const ScanView& view) {
     apply_evidence_to_nearest(view);
   else
     apply_evidence(view);
-}
-
-void Mapper::State::decide(const ScanView& view) {
-  const std::size_t n = voxel_of_row.size();
-  labels.label.assign(n, Label::kInvalid);
-  labels.p_static.assign(n, 0.5F);
-  labels.reason.assign(n, Reason::kNoReturn);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
-    if (voxel_of_row[row].exists()) {
-      const VoxelBlock& block = map.block(voxel_of_row[row].block);
-      const int place = static_cast<int>(voxel_of_row[row].place);
-      labels.p_static[row] = p_from_log_odds(block.at(place).log_odds());
-      labels.label[row] = decision(labels.p_static[row]);
-      labels.reason[row] = reason_of(block, place, labels.label[row], view);
-    } else if (projected.range_m[row] < 0) {
-      labels.label[row] = Label::kUncertain;
-      labels.reason[row] = Reason::kOutOfRange;
-    }
-  });
-}
-
-Reason Mapper::State::reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const {
-  const Voxel& voxel = block.at(place);
-  if (label == Label::kStatic) return Reason::kSupported;
-  if (label == Label::kUncertain)
-    return voxel.age == 0 && voxel.log_odds_fixed == untold.log_odds_fixed ? Reason::kNeverJudged
-                                                                           : Reason::kMixedEvidence;
-  if (parameters.hit_is_support) return Reason::kSeenThrough;
-  const Eigen::Vector3d in_edges =
-      voxel_key(block.key(), place).cast<double>() + voxel.surface_offset().cast<double>();
-  const FusedEvidence now = view.evidence(view.to_sensor(in_edges * map.voxel_size_m()), models);
-  return now.kind() == Evidence::kConflict ? Reason::kSeenThroughNow : Reason::kSeenThrough;
-}
-
-ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
-                           const ScanLabels& online) const {
-  const State& s = *state_;
-  const GateSettings gate_values = gate_settings(s.parameters);
-  const auto gates =
-      gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;
-  ScanLabels settled = online;
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
-    if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
-    const VoxelKey key = s.map.key_of(T_map_sensor * scan.points[row].cast<double>());
-    const Voxel* voxel = s.map.find(key);
-    if (voxel == nullptr) continue;
-    const float p_static = p_from_log_odds(voxel->log_odds());
-    const Label label = s.decision(p_static);
-    if (gates && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
-      settled.label[row] = Label::kUncertain;
-      settled.reason[row] = Reason::kMixedEvidence;
-      continue;
-    }
-    // Where the map stays undecided, what was said at the scan's own time stands.
-    if (label == Label::kUncertain || label == online.label[row]) continue;
-    settled.p_static[row] = p_static;
-    settled.label[row] = label;
-    settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
-  }
-  return settled;
 }
 
 MapSnapshotPtr Mapper::snapshot() const {

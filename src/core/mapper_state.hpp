@@ -64,8 +64,6 @@ struct Mapper::State {
   // mapper.cpp
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
   void evidence_of(const ScanView& view);
-  void decide(const ScanView& view);
-  Reason reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const;
   void ended(Stage stage) {
     if (listener != nullptr) listener->stage_ended(stage);
   }
@@ -106,6 +104,10 @@ struct Mapper::State {
     }
     return any != 0 ? grown(around) : 0;
   }
+
+  // labelling.cpp
+  void decide(const ScanView& view);
+  Reason reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const;
 
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
