@@ -24,7 +24,9 @@ MOVING = '#2166ac'
 
 
 def read_points(file):
-    return np.loadtxt(file, delimiter=',', skiprows=1, ndmin=2)
+    with open(file, newline='') as stream:
+        rows = list(csv.reader(stream))[1:]
+    return np.array(rows, dtype=float).reshape(-1, 4)
 
 
 def centre_of_motion(points):
@@ -115,7 +117,7 @@ def plot_calibration(curves, sequence, file):
 
 
 def save(figure, file):
-    figure.savefig(file, dpi=110, metadata={'Software': None})
+    figure.savefig(file, dpi=80, metadata={'Software': None})
     plt.close(figure)
 
 
@@ -125,7 +127,9 @@ def draw_figures(report):
     for old in figures.glob('*.png'):
         old.unlink()
     for file in sorted((report / 'points').glob('*.csv')):
-        plot_before_after(read_points(file), file.stem.replace('.', ': '), figures / f'{file.stem}.png')
+        points = read_points(file)
+        if len(points) > 0:
+            plot_before_after(points, file.stem.replace('.', ': '), figures / f'{file.stem}.png')
     for sequence, curves in grouped(report / 'thresholds.csv').items():
         plot_thresholds(curves, sequence, figures / f'{sequence}_thresholds.png')
     for sequence, curves in grouped(report / 'calibration.csv').items():

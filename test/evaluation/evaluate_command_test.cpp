@@ -50,6 +50,20 @@ TEST_F(EvaluateCommandTest, ThePapersExperimentOnWhatThereIs) {
   EXPECT_NE(tables.find("Table 2"), std::string::npos);
 }
 
+TEST_F(EvaluateCommandTest, FiguresAndAPageThatHoldsThem) {
+  if (std::system("/usr/bin/python3 -c 'import matplotlib, numpy' 2>/dev/null") != 0)
+    GTEST_SKIP() << "python3-matplotlib is not there";
+  const std::string arguments = " --methods default --scans 3 --max-points 500 --out ";
+  ASSERT_EQ(run("evaluate " + room.path() + arguments + out.path("report")), 0) << output;
+  const std::string page = read_text(out.path("report/index.html"));
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"figures"), std::string::npos);
+  std::size_t figures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out.path("report/figures")))
+    figures += entry.path().extension() == ".png";
+  EXPECT_EQ(figures, 3u);  // before and after, thresholds, calibration
+}
+
 TEST_F(EvaluateCommandTest, AblationOverAFolderOfSequences) {
   TemporaryFolder all;
   std::filesystem::create_symlink(room.path(), all.path("one"));
