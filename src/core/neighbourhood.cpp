@@ -45,6 +45,8 @@ CellMask Mapper::State::near_moving(const BlockKey& key) const {
 void Mapper::State::remember_moving() {
   for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
     if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] == Clusters::kNone) continue;
+    if (labels.reason[row] == Reason::kObjectMoves)
+      continue;  // a vote is no new sighting: it must not feed itself
     VoxelBlock& block = map.block(voxel_of_row[row].block);
     if (block.moving_scan != scan_count) {
       block.moving_scan = scan_count;
