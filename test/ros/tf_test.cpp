@@ -11,8 +11,11 @@ namespace {
 
 class Tf : public testing::Test {
  protected:
+  // One publisher for all tests: one that goes and comes back may be dropped again by a node that is told of
+  // both late.
+  static void SetUpTestSuite() { publisher_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", 100); }
+  static void TearDownTestSuite() { publisher_.shutdown(); }
   void SetUp() override {
-    publisher_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", 100);
     ASSERT_TRUE(harness_.wait_for_connections());
     ASSERT_TRUE(harness_.wait_until([this] { return publisher_.getNumSubscribers() > 0; }));
   }
@@ -33,8 +36,9 @@ class Tf : public testing::Test {
     harness_.publish(cloud);
   }
   NodeHarness harness_;
-  ros::Publisher publisher_;
+  static ros::Publisher publisher_;
 };
+ros::Publisher Tf::publisher_;
 
 TEST_F(Tf, AScanWaitsForItsTransform) {
   publish_cloud(1);
