@@ -71,8 +71,8 @@ Parameters preset(const std::string& name) {
   Parameters p;
   if (name == "default") return p;
   if (name != "paper") throw std::invalid_argument("preset: '" + name + "' is not one of default|paper");
-  // Every voxel compares its own range with I_O: read so, the preset comes to the figures of table 2; with the
-  // nearest voxel of a pixel alone it removes a third as much.
+  // Every voxel compares its own range with I_O: read so, the preset comes to the figures of table 2; with
+  // the nearest voxel of a pixel alone it removes a third as much.
   p.angular_levels_deg = {2.5, 2.0, 1.5};
   p.voxel_size_m = 0.05;  // table 1
   p.hit_is_support = false;
