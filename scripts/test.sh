@@ -25,10 +25,9 @@ build() {
   cmake --build "$folder" -j "$(nproc)"
 }
 
-# Plain ctest, whose exit code counts; run_tests' does not. The rostests are alone while they run; being several
-# processes that must find each other in time, one that fails gets a second try, which the output shows.
+# Plain ctest, whose exit code counts; run_tests' does not. The rostests are alone while they run.
 run_tests() {
-  ctest --test-dir build -j "$(nproc)" --output-on-failure --no-tests=error --repeat until-pass:2 2>&1 | tee build/ctest.log
+  ctest --test-dir build -j "$(nproc)" --output-on-failure --no-tests=error 2>&1 | tee build/ctest.log
 }
 
 label_without_ros() {
