@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "stillmap/map_contents.hpp"
 #include "stillmap/map_snapshot.hpp"
 #include "stillmap/parameters.hpp"
 #include "stillmap/types.hpp"
@@ -40,11 +41,17 @@ class Mapper {
   ScanLabels relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanLabels& online) const;
 
   MapSnapshotPtr snapshot() const;
+  /// The complete state of the map, and the way back: imported blocks replace those at the same place, the
+  /// others stay. Throws std::invalid_argument when the voxel size differs or a block has a problem(); the
+  /// map then is as it was.
+  MapContents export_map() const;
+  void import_map(const MapContents& contents);
   std::size_t voxel_count() const;
   std::size_t scan_count() const;  ///< processed since the start or the last reset()
   void reset();                    ///< forgets map, history and sensor geometry
 
   const Parameters& parameters() const;
+  const Decision& decision() const;            ///< its two thresholds, eq. (9)
   void set_listener(StageListener* listener);  ///< not owned; nullptr = none
 
  private:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stillmap/cell_mask.hpp"
+#include "stillmap/map_contents.hpp"
 #include "stillmap/voxel.hpp"
 #include "stillmap/voxel_key.hpp"
 
@@ -43,6 +44,10 @@ class VoxelBlock {
 
   /// Brings Voxel::idle and Voxel::age up to `scan`.
   void age(std::uint32_t scan);
+
+  /// A copy of it as of `scan`, and the way back; what restore() gets must have no problem().
+  BlockContents contents(std::uint32_t scan) const;
+  void restore(const BlockContents& contents, std::uint32_t scan);
 
   std::uint32_t hit_scan = 0;  ///< last scan that hit a voxel of it
   CellMask standing = 0;       ///< of that scan: cells where it hit surface known to stand

@@ -104,22 +104,6 @@ void Mapper::State::evidence_of(const ScanView& view) {
     apply_evidence(view);
 }
 
-MapSnapshotPtr Mapper::snapshot() const {
-  const State& s = *state_;
-  auto snapshot = std::make_shared<MapSnapshot>();
-  snapshot->stamp_ns = s.stamp_ns;
-  snapshot->voxel_size_m = s.map.voxel_size_m();
-  for (std::uint32_t index = 0; index < s.map.block_count(); ++index) {
-    const VoxelBlock& block = s.map.block(index);
-    block.for_each([&](int place, const Voxel& voxel) {
-      const Eigen::Vector3f center = s.map.center_of(voxel_key(block.key(), place)).cast<float>();
-      const float log_odds = voxel.log_odds();
-      snapshot->voxels.push_back({center, log_odds, s.decision(p_from_log_odds(log_odds))});
-    });
-  }
-  return snapshot;
-}
-
 std::size_t Mapper::voxel_count() const {
   return state_->map.voxel_count();
 }
@@ -128,6 +112,9 @@ std::size_t Mapper::scan_count() const {
 }
 const Parameters& Mapper::parameters() const {
   return state_->parameters;
+}
+const Decision& Mapper::decision() const {
+  return state_->decision;
 }
 void Mapper::set_listener(StageListener* listener) {
   state_->listener = listener;

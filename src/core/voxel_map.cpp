@@ -26,6 +26,22 @@ void VoxelBlock::age(std::uint32_t scan) {
   }
 }
 
+BlockContents VoxelBlock::contents(std::uint32_t scan) const {
+  VoxelBlock copy = *this;
+  copy.age(scan);
+  return {key_, porous, occupied_, std::move(copy.voxels_)};
+}
+
+void VoxelBlock::restore(const BlockContents& contents, std::uint32_t scan) {
+  *this = VoxelBlock(contents.key);
+  porous = contents.porous;
+  occupied_ = contents.occupied;
+  for (int word = 1; word < kWords; ++word)
+    before_[word] = static_cast<std::uint16_t>(before_[word - 1] + __builtin_popcountll(occupied_[word - 1]));
+  voxels_ = contents.voxels;
+  aged_scan_ = scan;
+}
+
 std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
   const auto [it, created] = index_.try_emplace(packed(key), static_cast<std::uint32_t>(blocks_.size()));
   if (created) blocks_.emplace_back(key);

@@ -3,10 +3,16 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "io/map_archive.hpp"
 #include "io/octomap_file.hpp"
 #include "io/point_cloud_file.hpp"
 
 namespace stillmap {
+
+void save_map(const MapContents& map, const Decision& decision, const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".stillmap") return write_map_archive(map, path);
+  save_map(snapshot_of(map, decision), path);
+}
 
 void save_map(const MapSnapshot& map, const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();

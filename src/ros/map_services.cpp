@@ -2,12 +2,23 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "io/map_file.hpp"
+#include "stillmap/log_odds.hpp"
 
 namespace stillmap {
+namespace {
+
+std::size_t count_static(const MapContents& map, const Decision& decision) {
+  std::size_t count = 0;
+  for (const BlockContents& block : map.blocks)
+    for (const Voxel& voxel : block.voxels)
+      count += decision(p_from_log_odds(voxel.log_odds())) == Label::kStatic;
+  return count;
+}
+
+}  // namespace
 
 MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : shared_(shared) {
   private_nh.setCallbackQueue(&queue_);
@@ -19,15 +30,15 @@ MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : sha
 std::string MapServices::save(const std::string& path) {
   std::unique_lock lock(shared_.mutex);
   const std::size_t scan_count = shared_.mapper.scan_count();
-  const MapSnapshotPtr map = shared_.mapper.snapshot();
+  const MapContents map = shared_.mapper.export_map();
+  const Decision decision = shared_.mapper.decision();
   lock.unlock();
-  const auto static_voxels = std::count_if(map->voxels.begin(), map->voxels.end(),
-                                           [](const auto& voxel) { return voxel.label == Label::kStatic; });
+  const std::size_t static_voxels = count_static(map, decision);
   if (static_voxels == 0)
     throw std::runtime_error(path + ": not written, the map has no static voxel after " +
                              std::to_string(scan_count) + " scans");
   const std::lock_guard file_lock(file_mutex_);
-  save_map(*map, path);
+  save_map(map, decision, path);
   return path + ": map of " + std::to_string(static_voxels) + " static voxels after " +
          std::to_string(scan_count) + " scans";
 }

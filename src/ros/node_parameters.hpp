@@ -44,7 +44,7 @@ void visit_node_parameters(ParametersT& p, Visitor&& visit) {
          "longest time between two odometry messages to interpolate over");
   number("queue_size", "scans", 1, 1000, p.queue_size, "scans that may wait; beyond, the oldest is dropped");
   number("map_period_s", "s", 0.1, 3600.0, p.map_period_s, "shortest time between two maps");
-  text("save_map", p.save_map, ".pcd, .ply, .bt or .ot where the map is saved; empty = nowhere");
+  text("save_map", p.save_map, ".stillmap, .pcd, .ply, .bt or .ot where the map is saved; empty = nowhere");
   number("save_map_idle_s", "s", 0.5, 3600.0, p.save_map_idle_s,
          "save_map is written when no scan has come for so long, and on shutdown");
 }

@@ -79,7 +79,7 @@ TEST_F(Services, TheMapIsPublishedInThreeForms) {
 }
 
 TEST_F(Services, SavesEveryFormatAndRefusesOthers) {
-  for (const std::string name : {"map.pcd", "map.ply", "map.bt", "map.ot"}) {
+  for (const std::string name : {"map.pcd", "map.ply", "map.bt", "map.ot", "map.stillmap"}) {
     const SaveMap::Response response = save(name);
     EXPECT_TRUE(response.success) << response.message;
     EXPECT_GT(fs::file_size(folder / name), 100u) << name;
