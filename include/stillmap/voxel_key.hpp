@@ -36,11 +36,24 @@ inline VoxelKey voxel_key(const BlockKey& block, int place) {
           block.z() * kBlockEdge + (place >> (2 * kBlockShift))};
 }
 
+/// Blocks are grouped in tiles: upright columns of 16 x 16 blocks.
+inline constexpr int kTileShift = 4;
+inline constexpr int kTileEdge = 1 << kTileShift;
+/// Index of a tile: x and y of BlockKey >> 4.
+using TileKey = Eigen::Vector2i;
+
+inline TileKey tile_key(const BlockKey& key) {
+  return {key.x() >> kTileShift, key.y() >> kTileShift};
+}
+
 /// 21 bits an axis: unique within kVoxelKeyLimit, and in a fixed order.
 inline std::uint64_t packed(const BlockKey& key) {
   constexpr std::int64_t offset = 1 << 20;
   return static_cast<std::uint64_t>(key.x() + offset) << 42 |
          static_cast<std::uint64_t>(key.y() + offset) << 21 | static_cast<std::uint64_t>(key.z() + offset);
+}
+inline std::uint64_t packed_tile(const TileKey& key) {
+  return packed(BlockKey(key.x(), key.y(), 0));
 }
 
 /// Finaliser of MurmurHash3 (Appleby): neighbouring keys spread over the table.

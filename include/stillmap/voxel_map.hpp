@@ -72,7 +72,8 @@ class VoxelBlock {
   std::vector<Voxel> voxels_;
 };
 
-/// Sparse hashed voxels in blocks. Blocks keep their index and address for the map's life.
+/// Sparse hashed voxels in blocks. A block keeps its index and address until its tile is erased; the index
+/// may then be given to another block.
 class VoxelMap {
  public:
   explicit VoxelMap(double voxel_size_m) : voxel_size_m_(voxel_size_m), inverse_(1.0 / voxel_size_m) {}
@@ -98,15 +99,29 @@ class VoxelMap {
     return &blocks_[block].at(place_in_block(key));
   }
 
+  /// Indices in use and those of erased blocks, which are empty.
   std::size_t block_count() const { return blocks_.size(); }
   VoxelBlock& block(std::uint32_t index) { return blocks_[index]; }
   const VoxelBlock& block(std::uint32_t index) const { return blocks_[index]; }
   std::size_t voxel_count() const;
 
+  /// Indices of the blocks in all tiles of which some part, seen from above, lies within `reach_m` of a
+  /// place; always in the same order, and a superset of what is that near.
+  void find_near(const Eigen::Vector3d& center_map_m, double reach_m,
+                 std::vector<std::uint32_t>& blocks) const;
+  /// The blocks of a tile, by the time they came; nullptr when it has none.
+  const std::vector<std::uint32_t>* tile(const TileKey& key) const {
+    const auto it = tiles_.find(packed_tile(key));
+    return it == tiles_.end() ? nullptr : &it->second;
+  }
+  void erase_tile(const TileKey& key);
+
  private:
   double voxel_size_m_, inverse_;
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> index_;
+  tsl::robin_map<std::uint64_t, std::vector<std::uint32_t>, BlockKeyHash> tiles_;
   std::deque<VoxelBlock> blocks_;
+  std::vector<std::uint32_t> free_;  ///< indices of erased blocks
 };
 
 }  // namespace stillmap

@@ -7,18 +7,19 @@ namespace stillmap {
 
 void Mapper::State::apply_evidence(const ScanView& view) {
   find_known_surface();
+  map.find_near(view.origin_map_m, reach_m(), near_blocks);
   // Blocks own their voxels and read only what no other block writes: any order gives the same map.
-  tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(map.block_count()),
-                    [&](std::uint32_t index) { apply_evidence(view, map.block(index)); });
+  tbb::parallel_for(std::size_t{0}, near_blocks.size(),
+                    [&](std::size_t i) { apply_evidence(view, map.block(near_blocks[i])); });
 }
 
 void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
   const auto voxel_m = static_cast<float>(map.voxel_size_m());
-  const auto reach_m = static_cast<float>(parameters.max_range_m + 2 * map.block_size_m());
+  const auto reach = static_cast<float>(reach_m());
   const bool block_hit = block.hit_scan == scan_count;
   const Eigen::Vector3f corner =
       view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
-  if (corner.squaredNorm() > reach_m * reach_m) return;
+  if (corner.squaredNorm() > reach * reach) return;
   const auto half_m = static_cast<float>(0.5 * map.block_size_m());
   const Eigen::Vector3f center = corner + view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
   if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;

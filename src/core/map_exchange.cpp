@@ -25,7 +25,7 @@ MapContents Mapper::export_map() const {
   MapContents contents{s.stamp_ns, s.map.voxel_size_m(), {}};
   contents.blocks.reserve(s.map.block_count());
   for (std::uint32_t index = 0; index < s.map.block_count(); ++index)
-    contents.blocks.push_back(s.map.block(index).contents(s.scan_count));
+    if (s.map.block(index).size() > 0) contents.blocks.push_back(s.map.block(index).contents(s.scan_count));
   return contents;
 }
 

@@ -53,6 +53,7 @@ struct Mapper::State {
   std::vector<VoxelRef> voxel_of_row;
   std::vector<NewVoxel> new_voxels;
   std::vector<std::uint32_t> hit_blocks;
+  std::vector<std::uint32_t> near_blocks;  ///< those that the scan may say something about, and some more
   ScanLabels labels;
   Ground ground;
   Clusters clusters, moving_pieces;
@@ -64,6 +65,8 @@ struct Mapper::State {
   // mapper.cpp
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
   void evidence_of(const ScanView& view);
+  /// No return, and no voxel that a return says something about, lies in a block whose corner is farther.
+  double reach_m() const { return parameters.max_range_m + 2 * map.block_size_m(); }
   void ended(Stage stage) {
     if (listener != nullptr) listener->stage_ended(stage);
   }

@@ -34,7 +34,8 @@ void judge_nearest(std::vector<InView>& in_view, const RangeImage& image, const 
 
 void Mapper::State::apply_evidence_to_nearest(const ScanView& view) {
   std::vector<InView> in_view;
-  for (std::uint32_t index = 0; index < map.block_count(); ++index) {
+  map.find_near(view.origin_map_m, reach_m(), near_blocks);
+  for (const std::uint32_t index : near_blocks) {
     VoxelBlock& block = map.block(index);
     block.age(scan_count);
     block.for_each([&](int place, Voxel& voxel) {

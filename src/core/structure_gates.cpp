@@ -24,6 +24,7 @@ StructureGates::StructureGates(const VoxelMap& map, const GateSettings& settings
   block_z_min_ = std::numeric_limits<int>::max();
   block_z_max_ = std::numeric_limits<int>::min();
   for (std::uint32_t index = 0; index < map_.block_count(); ++index) {
+    if (map_.block(index).size() == 0) continue;
     block_z_min_ = std::min(block_z_min_, map_.block(index).key().z());
     block_z_max_ = std::max(block_z_max_, map_.block(index).key().z());
   }

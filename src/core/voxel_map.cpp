@@ -43,9 +43,46 @@ void VoxelBlock::restore(const BlockContents& contents, std::uint32_t scan) {
 }
 
 std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
-  const auto [it, created] = index_.try_emplace(packed(key), static_cast<std::uint32_t>(blocks_.size()));
-  if (created) blocks_.emplace_back(key);
-  return it->second;
+  const auto next = free_.empty() ? static_cast<std::uint32_t>(blocks_.size()) : free_.back();
+  const auto [it, created] = index_.try_emplace(packed(key), next);
+  if (!created) return it->second;
+  if (free_.empty()) {
+    blocks_.emplace_back(key);
+  } else {
+    free_.pop_back();
+    blocks_[next] = VoxelBlock(key);
+  }
+  tiles_[packed_tile(tile_key(key))].push_back(next);
+  return next;
+}
+
+void VoxelMap::find_near(const Eigen::Vector3d& center_map_m, double reach_m,
+                         std::vector<std::uint32_t>& blocks) const {
+  blocks.clear();
+  const double tile_m = block_size_m() * kTileEdge;
+  const Eigen::Array2d center = center_map_m.head<2>().array() / tile_m;
+  const double reach = reach_m / tile_m;
+  const Eigen::Array2i first = (center - reach).floor().cast<int>(),
+                       last = (center + reach).floor().cast<int>();
+  for (int y = first.y(); y <= last.y(); ++y)
+    for (int x = first.x(); x <= last.x(); ++x) {
+      const Eigen::Array2d corner(x, y);
+      const Eigen::Array2d nearest = center.max(corner).min(corner + 1);
+      const std::vector<std::uint32_t>* const here = tile({x, y});
+      if (here == nullptr || (center - nearest).matrix().squaredNorm() > reach * reach) continue;
+      blocks.insert(blocks.end(), here->begin(), here->end());
+    }
+}
+
+void VoxelMap::erase_tile(const TileKey& key) {
+  const auto it = tiles_.find(packed_tile(key));
+  if (it == tiles_.end()) return;
+  for (const std::uint32_t index : it->second) {
+    index_.erase(packed(blocks_[index].key()));
+    blocks_[index] = VoxelBlock(BlockKey::Zero());
+    free_.push_back(index);
+  }
+  tiles_.erase(it);
 }
 
 std::size_t VoxelMap::voxel_count() const {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <tuple>
 
 namespace stillmap {
@@ -77,6 +80,58 @@ TEST(VoxelMap, BlocksKeepTheirIndexAndAddress) {
   EXPECT_EQ(map.find_or_create_block({3, -2, 1}), first);
   EXPECT_EQ(&map.block(first), address);
   EXPECT_EQ(map.find_block({0, 0, 999}), -1);
+}
+
+TEST(VoxelMap, AnErasedTileIsGoneAndItsIndicesAreUsedAgain) {
+  VoxelMap map(0.1);
+  std::vector<std::uint32_t> gone;
+  bool created = false;
+  for (int x = -kTileEdge; x < kTileEdge; ++x) {  // two tiles
+    const std::uint32_t index = map.find_or_create_block({x, 3, x});
+    map.block(index).find_or_create(x & 63, created).hit(Eigen::Vector3f::Zero());
+    map.block(index).hit_scan = 5;
+    if (x < 0) gone.push_back(index);
+  }
+  map.erase_tile({-1, 0});
+  map.erase_tile({-1, 0});
+  map.erase_tile({7, 7});
+  EXPECT_EQ(map.tile({-1, 0}), nullptr);
+  EXPECT_EQ(map.voxel_count(), static_cast<std::size_t>(kTileEdge));
+  const std::size_t indices = map.block_count();
+  for (int x = -kTileEdge; x < kTileEdge; ++x) EXPECT_EQ(map.find_block({x, 3, x}) < 0, x < 0);
+  for (int x = 0; x < kTileEdge; ++x) {
+    const std::uint32_t index = map.find_or_create_block({x, 200, 0});
+    EXPECT_EQ(std::count(gone.begin(), gone.end(), index), 1);
+    EXPECT_EQ(map.block(index).size(), 0u);
+    EXPECT_EQ(map.block(index).hit_scan, 0u);
+    EXPECT_EQ(map.block(index).key(), BlockKey(x, 200, 0));
+  }
+  EXPECT_EQ(map.block_count(), indices);
+  map.find_or_create_block({0, 400, 0});
+  EXPECT_EQ(map.block_count(), indices + 1);
+}
+
+TEST(VoxelMap, FindsAllThatIsNearAndLittleElse) {
+  VoxelMap map(0.1);
+  std::mt19937 random(6);
+  std::uniform_int_distribution<int> anywhere(-300, 300);
+  for (int i = 0; i < 5000; ++i) map.find_or_create_block({anywhere(random), anywhere(random), i % 40});
+  const double reach_m = 50, tile_m = kTileEdge * map.block_size_m();
+  const Eigen::Vector3d center(-20.03, 33.3, 1);
+  std::vector<std::uint32_t> found;
+  map.find_near(center, reach_m, found);
+  const std::set<std::uint32_t> near(found.begin(), found.end());
+  EXPECT_EQ(near.size(), found.size());
+  for (std::uint32_t index = 0; index < map.block_count(); ++index) {
+    const Eigen::Vector2d corner = map.block(index).key().head<2>().cast<double>() * map.block_size_m();
+    const double distance_m = (corner - center.head<2>()).norm();
+    if (distance_m <= reach_m) {
+      EXPECT_EQ(near.count(index), 1u);
+    }
+    if (distance_m > reach_m + tile_m * std::sqrt(2.0)) {
+      EXPECT_EQ(near.count(index), 0u);
+    }
+  }
 }
 
 TEST(VoxelMap, CentreOfAVoxelLiesInIt) {
