@@ -20,7 +20,7 @@ void MapCleaner::finish() {
     if (dynamic_[i] != 0 && !gates.dynamic_may_stand(support_.key_of(map_.points()[i]))) dynamic_[i] = 0;
 }
 
-PointVerdicts MapCleaner::final_verdicts(std::size_t k, const Frame&) const {
+PointVerdicts MapCleaner::map_verdicts(std::size_t k, const Frame&) const {
   const std::vector<std::uint32_t>& point_of_row = map_.point_of_row(k);
   PointVerdicts verdicts;
   verdicts.label.assign(point_of_row.size(), Label::kInvalid);

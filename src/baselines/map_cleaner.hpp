@@ -11,7 +11,7 @@ class MapCleaner : public RemovalMethod {
  public:
   std::optional<PointVerdicts> add(const Frame& frame) override;
   void finish() override;
-  PointVerdicts final_verdicts(std::size_t k, const Frame& frame) const override;
+  PointVerdicts map_verdicts(std::size_t k, const Frame& frame) const override;
 
  protected:
   /// The returns of one scan.

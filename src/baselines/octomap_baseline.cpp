@@ -55,7 +55,7 @@ void OctomapBaseline::finish() {
   tree_->updateInnerOccupancy();
 }
 
-PointVerdicts OctomapBaseline::final_verdicts(std::size_t, const Frame& frame) const {
+PointVerdicts OctomapBaseline::map_verdicts(std::size_t, const Frame& frame) const {
   const StructureGates gates = support_.gates();
   PointVerdicts verdicts;
   verdicts.label.assign(frame.scan.points.size(), Label::kInvalid);

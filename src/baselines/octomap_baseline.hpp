@@ -31,7 +31,7 @@ class OctomapBaseline : public RemovalMethod {
 
   std::optional<PointVerdicts> add(const Frame& frame) override;
   void finish() override;
-  PointVerdicts final_verdicts(std::size_t k, const Frame& frame) const override;
+  PointVerdicts map_verdicts(std::size_t k, const Frame& frame) const override;
   std::string settings() const override;
 
  private:

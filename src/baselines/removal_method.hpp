@@ -24,8 +24,9 @@ class RemovalMethod {
   /// What the method says of the scan at its own time; nothing when it judges finished maps only.
   virtual std::optional<PointVerdicts> add(const Frame& frame) = 0;
   virtual void finish() = 0;
-  /// What the finished map says of the scan that was added as the k-th.
-  virtual PointVerdicts final_verdicts(std::size_t k, const Frame& frame) const = 0;
+  /// What the map says of the scan that was added as the k-th: the finished one or, of a method that judges
+  /// at once, the map as it is now.
+  virtual PointVerdicts map_verdicts(std::size_t k, const Frame& frame) const = 0;
 
   /// The effective settings, as YAML.
   virtual std::string settings() const = 0;

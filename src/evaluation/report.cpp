@@ -35,7 +35,9 @@ std::string tables_markdown(const std::vector<SequenceResult>& results) {
       "# Results\n\nPR: static points kept. RR: dynamic points removed. score: their harmonic mean. "
       "Without a word, uncertain counts as kept (only dynamic is removed); \"dropped\": only static is "
       "kept. Counted per input point. Final: by the map after the last scan, truth labels/. At once: at the "
-      "scan's own time, truth labels_now/ where there is one.\n\n";
+      "scan's own time, truth labels_now/ where there is one. Delayed: the same, judged again --delay scans "
+      "later. Calibration error: expected |p_static - share that is static|, 0 to 1.\n\n";
+  text += passes_table(results).markdown() + "\n" + details_table(results).markdown() + "\n";
   text += "PR / RR / score, final:\n\n" + overview_table(results).markdown() + "\n";
   for (const SequenceResult& result : results) {
     text += "## " + result.name + "\n\nThis run: " + result.run + ".\n\n";
@@ -43,8 +45,10 @@ std::string tables_markdown(const std::vector<SequenceResult>& results) {
       text += "In the form of " + result.paper->table +
               "; the paper's figures are of another run: " + result.paper->data + ".\n\n";
     text += "Final:\n\n" + paper_form_table(result).markdown() + "\n" + comparison(result);
-    const TextTable at_once = at_once_table(result);
+    const TextTable at_once = pass_table(result, &MethodResult::at_once);
     if (!at_once.empty()) text += "At once:\n\n" + at_once.markdown() + "\n";
+    const TextTable delayed = pass_table(result, &MethodResult::delayed);
+    if (!delayed.empty()) text += "Delayed:\n\n" + delayed.markdown() + "\n";
   }
   return text;
 }

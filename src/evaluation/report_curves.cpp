@@ -8,12 +8,10 @@ template <class Visitor>
 void for_each_histogram(const std::vector<SequenceResult>& results, Visitor&& visit) {
   for (const SequenceResult& sequence : results)
     for (const MethodResult& method : sequence.methods) {
-      const auto visit_pass = [&](const std::string& name, const PassScore& pass) {
+      for_each_pass(method, [&](const std::string& name, const PassScore& pass) {
         const std::vector<std::string> start = {sequence.name, method.method, name};
         if (!pass.probabilities().empty()) visit(start, pass.probabilities());
-      };
-      if (method.at_once) visit_pass("at once", *method.at_once);
-      visit_pass("final", method.final);
+      });
     }
 }
 

@@ -1,6 +1,33 @@
 #include "evaluation/report_tables.hpp"
 
+#include "evaluation/semantic_classes.hpp"
+
 namespace stillmap {
+namespace {
+
+const PassScore* pointer(const std::optional<PassScore>& pass) {
+  return pass ? &*pass : nullptr;
+}
+
+std::string three(const PassScore* pass) {
+  const Figures figures = pass ? pass->total().figures(Uncertain::kKept) : Figures();
+  return cell(figures.pr) + " / " + cell(figures.rr) + " / " + cell(figures.score);
+}
+
+Percent dropped(const PassScore* pass) {
+  return pass ? pass->total().figures(Uncertain::kDropped).score : std::nullopt;
+}
+
+std::string calibration(const PassScore* pass) {
+  return cell(pass ? pass->probabilities().expected_calibration_error() : std::nullopt, 3);
+}
+
+Percent removed(const PassScore& pass, std::uint16_t semantic_class) {
+  const auto part = pass.classes().find(semantic_class);
+  return part != pass.classes().end() ? part->second.figures(Uncertain::kKept).rr : std::nullopt;
+}
+
+}  // namespace
 
 TextTable overview_table(const std::vector<SequenceResult>& results) {
   std::vector<std::string> header = {"sequence"};
@@ -15,6 +42,38 @@ TextTable overview_table(const std::vector<SequenceResult>& results) {
     }
     table.add_row(std::move(row));
   }
+  return table;
+}
+
+TextTable passes_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "at once: PR / RR / score", "IoU", "dropped: score",
+                   "delayed: PR / RR / score", "final: PR / RR / score", "dropped: score"});
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods) {
+      const Figures now = method.at_once ? method.at_once->total().figures(Uncertain::kKept) : Figures();
+      table.add_row({sequence.name, method.method, three(pointer(method.at_once)), cell(now.iou),
+                     cell(dropped(pointer(method.at_once))), three(pointer(method.delayed)),
+                     three(&method.final), cell(dropped(&method.final))});
+    }
+  return table;
+}
+
+TextTable details_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "vegetation kept: at once", "final", "people removed: final",
+                   "30 to 50 m removed: final", "delay, scans", "calibration error: at once", "delayed",
+                   "final"});
+  constexpr std::size_t kFar = 2;  // of PassScore::kRangeBands
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods) {
+      const PassScore& final = method.final;
+      const PassScore* now = pointer(method.at_once);
+      table.add_row({sequence.name, method.method,
+                     cell(now ? now->vegetation_kept(Uncertain::kKept) : std::nullopt),
+                     cell(final.vegetation_kept(Uncertain::kKept)), cell(removed(final, kMovingPerson)),
+                     cell(final.ranges()[kFar].figures(Uncertain::kKept).rr),
+                     cell(now ? now->delay().median_scans : std::nullopt, 1), calibration(now),
+                     calibration(pointer(method.delayed)), calibration(&final)});
+    }
   return table;
 }
 
@@ -38,16 +97,18 @@ TextTable paper_form_table(const SequenceResult& result) {
   return table;
 }
 
-TextTable at_once_table(const SequenceResult& result) {
-  TextTable table(
-      {"Method", "PR (%)", "RR (%)", "score", "IoU", "score dropped", "vegetation kept", "delay (scans)"});
+TextTable pass_table(const SequenceResult& result, std::optional<PassScore> MethodResult::*pass) {
+  TextTable table({"Method", "PR (%)", "RR (%)", "score", "IoU", "score dropped", "vegetation kept",
+                   "delay (scans)", "calibration error"});
   for (const MethodResult& method : result.methods) {
-    if (!method.at_once) continue;
-    const Figures kept = method.at_once->total().figures(Uncertain::kKept);
-    const Figures dropped = method.at_once->total().figures(Uncertain::kDropped);
+    const std::optional<PassScore>& score = method.*pass;
+    if (!score) continue;
+    const Figures kept = score->total().figures(Uncertain::kKept);
+    const Figures dropped = score->total().figures(Uncertain::kDropped);
     table.add_row({method.method, cell(kept.pr), cell(kept.rr), cell(kept.score), cell(kept.iou),
-                   cell(dropped.score), cell(method.at_once->vegetation_kept(Uncertain::kKept)),
-                   cell(method.at_once->delay().median_scans, 1)});
+                   cell(dropped.score), cell(score->vegetation_kept(Uncertain::kKept)),
+                   cell(score->delay().median_scans, 1),
+                   cell(score->probabilities().expected_calibration_error(), 3)});
   }
   return table;
 }

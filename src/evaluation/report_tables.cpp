@@ -19,10 +19,10 @@ std::string number(std::size_t value) {
 template <class Visitor>
 void for_each_pass(const std::vector<SequenceResult>& results, Visitor&& visit) {
   for (const SequenceResult& sequence : results)
-    for (const MethodResult& method : sequence.methods) {
-      if (method.at_once) visit(sequence, method, "at once", *method.at_once);
-      visit(sequence, method, "final", method.final);
-    }
+    for (const MethodResult& method : sequence.methods)
+      for_each_pass(method, [&](const std::string& name, const PassScore& pass) {
+        visit(sequence, method, name, pass);
+      });
 }
 
 void add_parts(TextTable& table, const std::vector<std::string>& start, const Confusion& part) {
@@ -53,9 +53,9 @@ TextTable score_table(const std::vector<SequenceResult>& results) {
                              const std::string& pass_name, const PassScore& pass) {
     for (const Uncertain uncertain : kBoth) {
       const Figures figures = pass.total().figures(uncertain);
-      const bool at_once = pass_name == "at once";
+      const bool at_once = pass_name == "at once", final = pass_name == "final";
       const Confusion& map = uncertain == Uncertain::kKept ? method.map_wise_kept : method.map_wise_dropped;
-      const Figures map_wise = at_once ? Figures() : map.figures(uncertain);
+      const Figures map_wise = final ? map.figures(uncertain) : Figures();
       const DelaySummary delay = pass.delay();
       const auto only = [](bool applies, const std::string& text) { return applies ? text : "-"; };
       table.add_row({sequence.name, sequence.run, method.method, pass_name, name_of(uncertain),
@@ -63,8 +63,8 @@ TextTable score_table(const std::vector<SequenceResult>& results) {
                      cell(figures.precision), cell(figures.iou), cell(pass.vegetation_kept(uncertain)),
                      only(at_once, cell(delay.median_scans, 1)),
                      only(at_once, number(delay.never) + " of " + number(delay.objects)),
-                     only(!at_once, cell(map_wise.pr)), only(!at_once, cell(map_wise.rr)),
-                     only(!at_once, cell(map_wise.score))});
+                     only(final, cell(map_wise.pr)), only(final, cell(map_wise.rr)),
+                     only(final, cell(map_wise.score))});
     }
   });
   return table;

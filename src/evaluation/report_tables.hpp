@@ -17,10 +17,14 @@ TextTable cost_table(const std::vector<SequenceResult>& results);
 
 /// PR / RR / score of the final verdicts, uncertain kept: a line for each sequence, a column for each method.
 TextTable overview_table(const std::vector<SequenceResult>& results);
+/// A line for each sequence and method: the scores of the three passes.
+TextTable passes_table(const std::vector<SequenceResult>& results);
+/// And what else matters: plants kept, people and far things removed, delay, calibration.
+TextTable details_table(const std::vector<SequenceResult>& results);
 /// Tables 2 and 3 in the paper's form, the paper's own figures beside ours.
 TextTable paper_form_table(const SequenceResult& result);
-/// The verdicts at the scans' own time.
-TextTable at_once_table(const SequenceResult& result);
+/// A line for each method that has the pass: &MethodResult::at_once or &MethodResult::delayed.
+TextTable pass_table(const SequenceResult& result, std::optional<PassScore> MethodResult::*pass);
 /// A line for each method: what it gives, at once and in the end, and what it costs.
 TextTable ablation_table(const std::vector<SequenceResult>& results);
 

@@ -63,6 +63,30 @@ std::vector<PicturePoint> take_picture(LabelledSequence& sequence,
   return picture;
 }
 
+/// The delayed pass of a method that judges at once: after each scan, the one of `delay` scans ago.
+class DelayedPass {
+ public:
+  DelayedPass(LabelledSequence& sequence, const RemovalMethod& method, std::size_t delay)
+      : sequence_(sequence), method_(method), delay_(delay) {}
+  void after(std::size_t k, std::optional<PassScore>& score) const {
+    if (delay_ == 0) return;
+    if (k >= delay_) judge(k - delay_, score);
+    if (k + 1 < sequence_.size()) return;
+    for (std::size_t left = k < delay_ ? 0 : k - delay_ + 1; left <= k; ++left) judge(left, score);
+  }
+
+ private:
+  void judge(std::size_t k, std::optional<PassScore>& score) const {
+    const LabelledFrame scan = sequence_.read(k);
+    if (!score) score.emplace();
+    score->add(scan.frame, scan.labels_now, method_.map_verdicts(k, scan.frame));
+  }
+
+  LabelledSequence& sequence_;
+  const RemovalMethod& method_;
+  std::size_t delay_;
+};
+
 }  // namespace
 
 MethodResult run_method(LabelledSequence& sequence, const MethodChoice& choice, const RunOptions& options,
@@ -72,6 +96,7 @@ MethodResult run_method(LabelledSequence& sequence, const MethodChoice& choice, 
   const MemoryMeter memory;
   CpuMeter at_once, after;
   const std::unique_ptr<RemovalMethod> method = choice.make();
+  const DelayedPass delayed(sequence, *method, options.delay);
   for (std::size_t k = 0; k < sequence.size(); ++k, advance()) {
     const LabelledFrame scan = sequence.read(k);
     at_once.start();
@@ -80,6 +105,7 @@ MethodResult run_method(LabelledSequence& sequence, const MethodChoice& choice, 
     if (!verdicts) continue;
     if (!result.at_once) result.at_once.emplace();
     result.at_once->add(scan.frame, scan.labels_now, *verdicts);
+    delayed.after(k, result.delayed);
   }
   after.start();
   method->finish();
@@ -89,7 +115,7 @@ MethodResult run_method(LabelledSequence& sequence, const MethodChoice& choice, 
   for (std::size_t k = 0; k < sequence.size(); ++k, advance()) {
     const LabelledFrame scan = sequence.read(k);
     after.start();
-    PointVerdicts verdicts = method->final_verdicts(k, scan.frame);
+    PointVerdicts verdicts = method->map_verdicts(k, scan.frame);
     after.stop();
     result.final.add(scan.frame, scan.labels, verdicts);
     final_verdicts.push_back(std::move(verdicts.label));

@@ -28,15 +28,25 @@ struct PicturePoint {
 struct MethodResult {
   std::string method;
   std::optional<PassScore>
-      at_once;      ///< against labels_now; nothing from methods that judge only finished maps
-  PassScore final;  ///< against labels
+      at_once;  ///< against labels_now; nothing from methods that judge only finished maps
+  std::optional<PassScore> delayed;  ///< judged again RunOptions::delay scans later; against labels_now
+  PassScore final;                   ///< against labels
   Confusion map_wise_kept, map_wise_dropped;  ///< final; uncertain kept, uncertain dropped
   MethodCost cost;
   std::string settings;
   std::vector<PicturePoint> picture;  ///< final, uncertain kept
 };
 
+/// Calls visit(name of the pass, pass) for every pass there is.
+template <class Visitor>
+void for_each_pass(const MethodResult& method, Visitor&& visit) {
+  if (method.at_once) visit("at once", *method.at_once);
+  if (method.delayed) visit("delayed", *method.delayed);
+  visit("final", method.final);
+}
+
 struct RunOptions {
+  std::size_t delay = 10;               ///< scans until the delayed verdicts; 0 = none
   double map_voxel_size_m = 0.1;        ///< of the map-wise count
   std::size_t picture_points = 70'000;  ///< at most, section 2.1
   std::uint64_t seed = 7;               ///< chooses them

@@ -7,7 +7,7 @@ namespace stillmap {
 
 // SemanticKITTI's labels: class in the low 16 bits, instance in the high 16.
 
-inline constexpr std::uint16_t kVegetation = 70;
+inline constexpr std::uint16_t kVegetation = 70, kMovingPerson = 254;
 
 inline std::uint16_t class_of(std::uint32_t label) {
   return static_cast<std::uint16_t>(label & 0xFFFF);

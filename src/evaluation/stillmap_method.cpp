@@ -27,7 +27,7 @@ std::optional<PointVerdicts> StillmapMethod::add(const Frame& frame) {
   return verdicts_of(online_.back());
 }
 
-PointVerdicts StillmapMethod::final_verdicts(std::size_t k, const Frame& frame) const {
+PointVerdicts StillmapMethod::map_verdicts(std::size_t k, const Frame& frame) const {
   return verdicts_of(mapper_.relabel(frame.scan, frame.T_map_sensor, online_.at(k)));
 }
 

@@ -12,7 +12,7 @@ class StillmapMethod : public RemovalMethod {
 
   std::optional<PointVerdicts> add(const Frame& frame) override;
   void finish() override {}
-  PointVerdicts final_verdicts(std::size_t k, const Frame& frame) const override;
+  PointVerdicts map_verdicts(std::size_t k, const Frame& frame) const override;
   std::string settings() const override;
 
  private:

@@ -18,6 +18,7 @@ struct NodeParameters {
   std::string body_frame;
   double max_odometry_gap_s = 0.5;
   int queue_size = 10;
+  int resolved_delay = 10;
   double map_period_s = 2.0;
   std::string save_map;
   double save_map_idle_s = 3.0;
@@ -43,10 +44,15 @@ void visit_node_parameters(ParametersT& p, Visitor&& visit) {
   number("max_odometry_gap_s", "s", 0.01, 60.0, p.max_odometry_gap_s,
          "longest time between two odometry messages to interpolate over");
   number("queue_size", "scans", 1, 1000, p.queue_size, "scans that may wait; beyond, the oldest is dropped");
+  number(
+      "resolved_delay", "scans", 0, 1000, p.resolved_delay,
+      "~resolved has each scan judged again so many scans later; so many are kept in memory while somebody "
+      "listens; 0 = off");
   number("map_period_s", "s", 0.1, 3600.0, p.map_period_s, "shortest time between two maps");
   text("save_map", p.save_map, ".stillmap, .pcd, .ply, .bt or .ot where the map is saved; empty = nowhere");
   number("save_map_idle_s", "s", 0.5, 3600.0, p.save_map_idle_s,
-         "save_map is written when no scan has come for so long, and on shutdown");
+         "no scan for so long means that they have ceased: save_map is written, ~resolved gets what still "
+         "waits");
 }
 
 /// Throws std::invalid_argument naming the parameters that are out of range or do not go together.

@@ -20,19 +20,35 @@ void publish_if_wanted(const ros::Publisher& publisher, const MakeCloud& make_cl
 
 }  // namespace
 
-ScanOutputs::ScanOutputs(ros::NodeHandle private_nh)
+ScanOutputs::ScanOutputs(ros::NodeHandle private_nh, int resolved_delay)
     : static_(private_nh.advertise<sensor_msgs::PointCloud2>("static_points", kQueue)),
       dynamic_(private_nh.advertise<sensor_msgs::PointCloud2>("dynamic_points", kQueue)),
       uncertain_(private_nh.advertise<sensor_msgs::PointCloud2>("uncertain_points", kQueue)),
       labelled_(private_nh.advertise<sensor_msgs::PointCloud2>("labelled_points", kQueue)),
-      status_(private_nh.advertise<Status>("status", kQueue)) {}
+      status_(private_nh.advertise<Status>("status", kQueue)),
+      delayed_(static_cast<std::size_t>(resolved_delay)) {
+  if (resolved_delay > 0) resolved_ = private_nh.advertise<sensor_msgs::PointCloud2>("resolved", kQueue);
+}
 
-void ScanOutputs::publish(const sensor_msgs::PointCloud2& cloud, const ScanLabels& labels) {
+void ScanOutputs::publish(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels) {
+  const sensor_msgs::PointCloud2& cloud = *paired.cloud;
   publish_if_wanted(static_, [&] { return select_rows(cloud, labels, Label::kStatic); });
   publish_if_wanted(dynamic_, [&] { return select_rows(cloud, labels, Label::kDynamic); });
   publish_if_wanted(uncertain_,
                     [&] { return select_rows(cloud, labels, Label::kUncertain, Label::kInvalid); });
   publish_if_wanted(labelled_, [&] { return add_label_fields(cloud, labels); });
+  if (resolved_.getNumSubscribers() == 0)  // of no topic, none
+    delayed_.clear();
+  else if (const auto settled = delayed_.add(mapper, paired, labels))
+    publish_resolved(*settled);
+}
+
+void ScanOutputs::publish_waiting(const Mapper& mapper) {
+  while (const auto settled = delayed_.settle_oldest(mapper)) publish_resolved(*settled);
+}
+
+void ScanOutputs::publish_resolved(const Delayed::Settled& settled) {
+  publish_if_wanted(resolved_, [&] { return add_label_fields(*settled.scan.cloud, settled.labels); });
 }
 
 void ScanOutputs::publish(const Status& status) {

@@ -5,6 +5,7 @@
 #include <stillmap/Status.h>
 
 #include "messages/scan_pairing.hpp"
+#include "stillmap/delayed_labels.hpp"
 #include "stillmap/types.hpp"
 
 namespace stillmap {
@@ -12,12 +13,20 @@ namespace stillmap {
 /// What is published for every scan, each only when somebody listens.
 class ScanOutputs {
  public:
-  explicit ScanOutputs(ros::NodeHandle private_nh);
-  void publish(const sensor_msgs::PointCloud2& cloud, const ScanLabels& labels);
+  /// `resolved_delay` in scans; 0 = no ~resolved.
+  ScanOutputs(ros::NodeHandle private_nh, int resolved_delay);
+  /// After mapper.process() of the scan, whose labels these are.
+  void publish(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels);
+  /// When no scan follows: the resolved ones that still wait.
+  void publish_waiting(const Mapper& mapper);
   void publish(const Status& status);
 
  private:
-  ros::Publisher static_, dynamic_, uncertain_, labelled_, status_;
+  using Delayed = DelayedLabels<PairedScan>;
+  void publish_resolved(const Delayed::Settled& settled);
+
+  ros::Publisher static_, dynamic_, uncertain_, labelled_, resolved_, status_;
+  Delayed delayed_;
 };
 
 }  // namespace stillmap

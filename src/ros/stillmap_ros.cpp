@@ -18,7 +18,7 @@ std::size_t judged(const LabelCounts& counts) {
 StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : settings_(load_settings(private_nh)),
       shared_{{}, Mapper(settings_.method)},
-      outputs_(private_nh),
+      outputs_(private_nh, settings_.node.resolved_delay),
       map_outputs_(private_nh, settings_.node.map_period_s),
       services_(private_nh, shared_),
       diagnostics_(nh, private_nh),
@@ -56,7 +56,7 @@ void StillmapRos::process(const PairedScan& paired) {
     stage_timer_.start();
     const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
     const double process_ms = std::chrono::duration<double, std::milli>(Clock::now() - last_scan_).count();
-    outputs_.publish(*paired.cloud, labels);
+    outputs_.publish(shared_.mapper, paired, labels);
     report(paired, labels, process_ms);
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
     log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());
@@ -100,7 +100,12 @@ void StillmapRos::between_scans() {
   }
   const bool is_idle =
       Clock::now() - last_scan_ > std::chrono::duration<double>(settings_.node.save_map_idle_s);
-  if (is_idle && !settings_.node.save_map.empty()) services_.save_if_changed(settings_.node.save_map);
+  if (!is_idle) return;
+  {
+    const std::lock_guard lock(shared_.mutex);
+    outputs_.publish_waiting(shared_.mapper);
+  }
+  if (!settings_.node.save_map.empty()) services_.save_if_changed(settings_.node.save_map);
 }
 
 }  // namespace stillmap

@@ -69,6 +69,8 @@ void add_evaluate_command(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
+  command->add_option("--delay", job.delay, "Scans until the delayed verdicts; 0 = none")
+      ->capture_default_str();
   command->add_flag("--ablation", job.ablation,
                     "Instead of --methods: the default, and the default without each of its additions");
   command->add_flag("!--no-figures", job.figures, "Tables only");

@@ -115,6 +115,7 @@ ReportConditions conditions(const EvaluateJob& job, const std::string& command_l
           {"version", std::string(kVersion) + " (" + kGitRevision + ")"},
           {"machine", cpu_model() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores"},
           {"seed", std::to_string(job.part.seed)},
+          {"delay", std::to_string(job.delay) + " scans"},
           {"parameters", "settings/*.yaml"}};
 }
 
@@ -125,6 +126,7 @@ void evaluate(const EvaluateJob& job, const Parameters& parameters, const std::s
   const std::vector<Entry> entries = open_all(job);
   RunOptions options;
   options.seed = job.part.seed;
+  options.delay = job.delay;
   std::vector<SequenceResult> results;
   for (const Entry& entry : entries) {
     SequenceResult& result = results.emplace_back();
@@ -138,7 +140,10 @@ void evaluate(const EvaluateJob& job, const Parameters& parameters, const std::s
     }
   }
   write_report(job.out, results, conditions(job, command_line));
-  if (job.ablation) std::cout << ablation_table(results).markdown();
+  if (job.ablation)
+    std::cout << ablation_table(results).markdown();
+  else
+    std::cout << passes_table(results).markdown() << "\n" << details_table(results).markdown();
   if (job.figures) plot_report(job.out);
 }
 

@@ -16,6 +16,7 @@ struct EvaluateJob {
   SequenceOptions treescope;           ///< run as in table 3; an empty path = not run
   PartOptions part;                    ///< of `sequences`; its seed is everyone's
   std::vector<std::string> methods;
+  std::size_t delay = 10;  ///< scans until the delayed verdicts; 0 = none
   bool ablation = false;
   bool figures = true;
   std::string out;

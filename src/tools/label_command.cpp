@@ -36,12 +36,17 @@ void add_label_command(CLI::App& app) {
   const auto options = std::make_shared<LabelOptions>();
   options->sequence.add_to(*command);
   command
-      ->add_option("OUT", options->job.out,
-                   "Folder for online/*.label, final/*.label (9 static, 251 dynamic, 0 neither), "
-                   "static_map.pcd and summary.json")
+      ->add_option(
+          "OUT", options->job.out,
+          "Folder for online/*.label, delayed/*.label, final/*.label (9 static, 251 dynamic, 0 neither), "
+          "static_map.pcd and summary.json")
       ->required();
   options->parameters.add_to(*command);
   add_part_options(*command, options->job);
+  command
+      ->add_option("--delay", options->job.delay,
+                   "Also OUT/delayed/*.label: each scan judged again so many scans later; 0 = not")
+      ->capture_default_str();
   command->add_flag("!--no-final", options->job.final_labels, "Do not judge again by the final map");
   command->callback([options] {
     const Parameters parameters = options->parameters.resolve();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "stillmap/delayed_labels.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/label_store.hpp"
 #include "tools/progress_bar.hpp"
@@ -51,7 +52,7 @@ void write_labels(const fs::path& file, const std::vector<Label>& labels) {
   if (!stream.flush()) throw std::runtime_error(file.string() + ": cannot be written; is the disk full?");
 }
 
-ScanLabels process(Mapper& mapper, const Frame& frame, EngineClock& clock) {
+const ScanLabels& process(Mapper& mapper, const Frame& frame, EngineClock& clock) {
   try {
     clock.start_scan();
     const ScanLabels& labels = mapper.process(frame.scan, frame.T_map_sensor);
@@ -62,12 +63,27 @@ ScanLabels process(Mapper& mapper, const Frame& frame, EngineClock& clock) {
   }
 }
 
+/// Writes a pass's labels and counts them.
+class PassWriter {
+ public:
+  PassWriter(fs::path folder, LabelTotals& totals) : folder_(std::move(folder)), totals_(totals) {}
+  void write(const std::string& scan, const ScanLabels& labels) {
+    write_labels(folder_ / (scan + ".label"), labels.label);
+    totals_.add(labels);
+  }
+
+ private:
+  fs::path folder_;
+  LabelTotals& totals_;
+};
+
 }  // namespace
 
 void label_sequence(Sequence& sequence, const Parameters& parameters, const LabelJob& job) {
   const std::vector<std::size_t> indices = chosen_scans(sequence.size(), job);
   const fs::path out(job.out);
   prepare_folder(out / "online");
+  prepare_folder(out / "delayed");
   prepare_folder(out / "final");
   fs::remove(out / "summary.json");
 
@@ -76,24 +92,29 @@ void label_sequence(Sequence& sequence, const Parameters& parameters, const Labe
   mapper.set_listener(&clock);
   RunSummary summary;
   LabelStore store(job.out);
+  DelayedLabels<Frame> waiting(job.delay);
+  PassWriter online(out / "online", summary.online), delayed(out / "delayed", summary.delayed),
+      final(out / "final", summary.final);
 
   ProgressBar online_bar("labelling", indices.size());
   for (const std::size_t index : indices) {
-    const Frame frame = sequence.read(index);
-    const ScanLabels labels = process(mapper, frame, clock);
-    write_labels(out / "online" / (frame.name + ".label"), labels.label);
-    summary.online.add(labels);
+    Frame frame = sequence.read(index);
+    const ScanLabels& labels = process(mapper, frame, clock);
+    online.write(frame.name, labels);
     if (job.final_labels) store.append(labels);
+    if (job.delay > 0)
+      if (const auto settled = waiting.add(mapper, std::move(frame), labels))
+        delayed.write(settled->scan.name, settled->labels);
     online_bar.advance();
   }
+  while (const auto settled = waiting.settle_oldest(mapper))
+    delayed.write(settled->scan.name, settled->labels);
 
   if (job.final_labels) {
     ProgressBar final_bar("by the final map", indices.size());
     for (std::size_t k = 0; k < indices.size(); ++k) {
       const Frame frame = sequence.read(indices[k]);
-      const ScanLabels labels = mapper.relabel(frame.scan, frame.T_map_sensor, store.read(k));
-      write_labels(out / "final" / (frame.name + ".label"), labels.label);
-      summary.final.add(labels);
+      final.write(frame.name, mapper.relabel(frame.scan, frame.T_map_sensor, store.read(k)));
       final_bar.advance();
     }
   }

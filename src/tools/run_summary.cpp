@@ -107,6 +107,7 @@ void write_summary(const std::string& path, const RunSummary& summary, const Eng
                {"machine", {{"cpu", cpu_model()}, {"cores", std::thread::hardware_concurrency()}}},
                {"version", kVersion},
                {"git_revision", kGitRevision}};
+  if (summary.delayed.scans > 0) json["labels"]["delayed"] = to_json(summary.delayed);
   if (summary.final.scans > 0) json["labels"]["final"] = to_json(summary.final);
   write_text_atomically(path, json.dump(2) + "\n");
 }

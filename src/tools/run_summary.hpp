@@ -35,7 +35,7 @@ struct LabelTotals {
 
 /// What a run did, beside its times.
 struct RunSummary {
-  LabelTotals online, final;
+  LabelTotals online, delayed, final;
   std::size_t voxels = 0;
 };
 

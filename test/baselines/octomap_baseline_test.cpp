@@ -57,7 +57,7 @@ TEST(OctomapBaseline, RowsWithoutReturnAreInvalid) {
   OctomapBaseline method(coarse());
   EXPECT_FALSE(method.add(frame));
   method.finish();
-  const PointVerdicts verdicts = method.final_verdicts(0, frame);
+  const PointVerdicts verdicts = method.map_verdicts(0, frame);
   EXPECT_EQ(verdicts.label, (std::vector<Label>{Label::kInvalid, Label::kInvalid, Label::kStatic}));
 }
 

@@ -17,7 +17,7 @@ class RemovalCheck {
   double removed_share(const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest) const {
     double points = 0, removed = 0;
     for (std::size_t k = 0; k < frames_.size(); ++k) {
-      const PointVerdicts verdicts = method_.final_verdicts(k, frames_[k]);
+      const PointVerdicts verdicts = method_.map_verdicts(k, frames_[k]);
       for (std::size_t row = 0; row < verdicts.label.size(); ++row) {
         if (!is_inside(frames_[k], row, lowest, highest)) continue;
         ++points;

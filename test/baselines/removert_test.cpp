@@ -44,11 +44,11 @@ TEST(Removert, RevertsAtCoarseLevels) {
   settings.revert_pixels_deg = {};
   Removert remove_only(settings);
   RemovalCheck removed(remove_only, frames);
-  EXPECT_EQ(remove_only.final_verdicts(0, frames[0]).label[0], Label::kDynamic);
+  EXPECT_EQ(remove_only.map_verdicts(0, frames[0]).label[0], Label::kDynamic);
   settings.revert_pixels_deg = {1.0};
   Removert with_revert(settings);
   RemovalCheck reverted(with_revert, frames);
-  EXPECT_EQ(with_revert.final_verdicts(0, frames[0]).label[0], Label::kStatic);
+  EXPECT_EQ(with_revert.map_verdicts(0, frames[0]).label[0], Label::kStatic);
 }
 
 TEST(Removert, KeepsADynamicVerdictThatCoarseLevelsShare) {
@@ -59,7 +59,7 @@ TEST(Removert, KeepsADynamicVerdictThatCoarseLevelsShare) {
   settings.revert_pixels_deg = {1.0, 1.4};
   Removert method(settings);
   const RemovalCheck check(method, frames);
-  EXPECT_EQ(method.final_verdicts(0, frames[0]).label[0], Label::kDynamic);
+  EXPECT_EQ(method.map_verdicts(0, frames[0]).label[0], Label::kDynamic);
 }
 
 TEST(Removert, SettingsAreTold) {

@@ -53,6 +53,10 @@ TEST_F(ReportTest, HoldsEveryMethodAndThePapersFigures) {
   }
   EXPECT_NE(tables.find("| 94.28 | 71.50 | 81.32 |"), std::string::npos);
   EXPECT_NE(tables.find("the preset `paper`"), std::string::npos);
+  EXPECT_NE(tables.find("Delayed:\n"), std::string::npos);
+  const std::string scores = read_text(out.path("scores.csv"));
+  EXPECT_NE(scores.find(",default,delayed,"), std::string::npos);
+  EXPECT_EQ(scores.find(",erasor,delayed,"), std::string::npos) << "it judges finished maps only";
   EXPECT_NE(read_text(out.path("conditions.md")).find("| seed | 7 |"), std::string::npos);
   EXPECT_NE(read_text(out.path("classes.csv")).find("moving person"), std::string::npos);
   const std::string points = read_text(out.path("points/room.default.csv"));

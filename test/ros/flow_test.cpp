@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using sensor_msgs::PointCloud2;
+using sensor_msgs::PointCloud2ConstPtr;
 
 std::uint32_t label_in_file(std::uint8_t label) {
   return label == static_cast<int>(Label::kStatic) ? 9 : label == static_cast<int>(Label::kDynamic) ? 251 : 0;
@@ -42,9 +43,9 @@ std::vector<std::uint8_t> column(const PointCloud2& cloud, const std::string& na
   return values;
 }
 
-void expect_labels(const Answer& answer, const fs::path& file) {
+void expect_labels(const PointCloud2& cloud, const fs::path& file) {
   const std::vector<std::uint32_t> expected = read_labels(file);
-  const std::vector<std::uint8_t> labels = column(*answer.labelled_points, "label");
+  const std::vector<std::uint8_t> labels = column(cloud, "label");
   ASSERT_EQ(labels.size(), expected.size()) << file;
   std::size_t different = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) different += label_in_file(labels[i]) != expected[i];
@@ -71,6 +72,15 @@ void expect_partition(const PointCloud2& input, const Answer& answer) {
   }
 }
 
+// The input with three fields more; a `label` that it has itself is renamed.
+void expect_all_fields(const PointCloud2& input, const PointCloud2& output) {
+  EXPECT_EQ(output.header.stamp, input.header.stamp);
+  ASSERT_EQ(row_count(output), row_count(input));
+  ASSERT_EQ(output.fields.size(), input.fields.size() + 3);
+  for (std::size_t i = 0; i < row_count(input); ++i)
+    ASSERT_TRUE(std::equal(row_data(input, i), row_data(input, i) + input.point_step, row_data(output, i)));
+}
+
 std::string name_of(std::size_t k) {
   std::ostringstream name;
   name << std::setw(6) << std::setfill('0') << k << ".label";
@@ -79,7 +89,8 @@ std::string name_of(std::size_t k) {
 
 TEST(Flow, TheNodeSaysWhatTheCommandLineSays) {
   const fs::path out = fs::temp_directory_path() / ("stillmap_flow_" + std::to_string(getpid()));
-  const std::string command = STILLMAP_COMMAND " label " STILLMAP_BAG " " + out.string() + " --no-final";
+  const std::string command =
+      STILLMAP_COMMAND " label " STILLMAP_BAG " " + out.string() + " --no-final --delay 5";
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 
   NodeHarness harness;
@@ -88,7 +99,8 @@ TEST(Flow, TheNodeSaysWhatTheCommandLineSays) {
   rosbag::View odometry_view(bag, rosbag::TopicQuery("/Odometry"));
   rosbag::View cloud_view(bag, rosbag::TopicQuery("/cloud_registered"));
   auto odometry = odometry_view.begin();
-  std::size_t k = 0, dynamic_points = 0;
+  std::size_t k = 0, dynamic_points = 0, changed = 0;
+  std::vector<PointCloud2ConstPtr> clouds;
   for (const rosbag::MessageInstance& message : cloud_view) {
     const auto cloud = message.instantiate<PointCloud2>();
     harness.publish(*cloud);  // before its pose: the order of arrival must not matter
@@ -96,9 +108,20 @@ TEST(Flow, TheNodeSaysWhatTheCommandLineSays) {
     const Answer* answer = harness.answer(cloud->header.stamp);
     ASSERT_NE(answer, nullptr) << "scan " << k;
     expect_partition(*cloud, *answer);
-    expect_labels(*answer, out / "online" / name_of(k++));
+    expect_labels(*answer->labelled_points, out / "online" / name_of(k++));
     dynamic_points += row_count(*answer->dynamic_points);
+    clouds.push_back(cloud);
+    if (k > 5) ASSERT_NE(harness.resolved(clouds[k - 6]->header.stamp), nullptr) << "5 scans after " << k - 6;
+    EXPECT_EQ(harness.resolved(cloud->header.stamp, 0), nullptr) << "not before its time";
   }
+  for (k = 0; k < clouds.size(); ++k) {  // the last five come when the scans have ceased
+    const PointCloud2ConstPtr resolved = harness.resolved(clouds[k]->header.stamp);
+    ASSERT_NE(resolved, nullptr) << "scan " << k;
+    expect_all_fields(*clouds[k], *resolved);
+    expect_labels(*resolved, out / "delayed" / name_of(k));
+    changed += read_labels(out / "delayed" / name_of(k)) != read_labels(out / "online" / name_of(k));
+  }
+  EXPECT_GT(changed, 10u) << "waiting must settle something";
   EXPECT_GE(k, 10u);
   EXPECT_GT(dynamic_points, 0u) << "the bag must have something to find";
   fs::remove_all(out);

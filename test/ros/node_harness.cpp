@@ -36,6 +36,7 @@ NodeHarness::NodeHarness()
   collect("dynamic_points", &Answer::dynamic_points);
   collect("uncertain_points", &Answer::uncertain_points);
   collect("labelled_points", &Answer::labelled_points);
+  collect("resolved", &Answer::resolved);
   const boost::function<void(const StatusConstPtr&)> keep_status = [this](const StatusConstPtr& status) {
     answers_[status->header.stamp].status = status;
   };
@@ -68,6 +69,11 @@ bool NodeHarness::wait_for_connections() {
 const Answer* NodeHarness::answer(const ros::Time& stamp, double patience_s) {
   const bool has_come = wait_until([&] { return answers_[stamp].is_complete(); }, patience_s);
   return has_come ? &answers_[stamp] : nullptr;
+}
+
+sensor_msgs::PointCloud2ConstPtr NodeHarness::resolved(const ros::Time& stamp, double patience_s) {
+  wait_until([&] { return answers_[stamp].resolved != nullptr; }, patience_s);
+  return answers_[stamp].resolved;
 }
 
 bool NodeHarness::said(const std::string& words, double patience_s) {

@@ -19,6 +19,7 @@ namespace stillmap {
 /// What the node said of one scan.
 struct Answer {
   sensor_msgs::PointCloud2ConstPtr static_points, dynamic_points, uncertain_points, labelled_points;
+  sensor_msgs::PointCloud2ConstPtr resolved;  ///< comes later
   StatusConstPtr status;
   bool is_complete() const {
     return static_points && dynamic_points && uncertain_points && labelled_points && status;
@@ -36,9 +37,11 @@ class NodeHarness {
   void publish(const sensor_msgs::PointCloud2& cloud) { cloud_publisher_.publish(cloud); }
   void publish(const nav_msgs::Odometry& odometry) { odometry_publisher_.publish(odometry); }
 
-  /// Waits for all five messages about the scan; nullptr when they do not come.
+  /// Waits for all five messages about the scan at its own time; nullptr when they do not come.
   const Answer* answer(const ros::Time& stamp, double patience_s = 30);
   std::size_t answers() const { return answers_.size(); }
+  /// Waits for the scan's resolved cloud.
+  sensor_msgs::PointCloud2ConstPtr resolved(const ros::Time& stamp, double patience_s = 30);
   /// Waits for a line of the node's log with these words.
   bool said(const std::string& words, double patience_s = 15);
   void forget_what_was_said() { log_.clear(); }

@@ -72,6 +72,27 @@ TEST_F(LabelCommandTest, LabelsAreTheMappersAtOnceAndAtTheEnd) {
   }
 }
 
+TEST_F(LabelCommandTest, DelayedLabelsAreTheMappersSoManyScansLater) {
+  ASSERT_EQ(label("--delay 3"), 0) << output;
+  Mapper mapper{Parameters()};
+  std::vector<ScanLabels> online;
+  for (std::size_t k = 0; k < kScans; ++k) {
+    const Frame now = room_frame(k);
+    online.push_back(mapper.process(now.scan, now.T_map_sensor));
+    const bool is_last = k + 1 == kScans;  // settles the rest, too
+    for (std::size_t then = k < 3 ? 0 : k - 3; then <= k; ++then) {
+      if (then + 3 != k && !is_last) continue;
+      const Frame frame = room_frame(then);
+      const ScanLabels settled = mapper.relabel(frame.scan, frame.T_map_sensor, online[then]);
+      EXPECT_EQ(labels("delayed", frame.name), classes_of(settled)) << then;
+    }
+  }
+  EXPECT_EQ(files("delayed"), kScans);
+  EXPECT_EQ(summary()["labels"]["delayed"]["invalid"], 2 * kScans);
+  ASSERT_EQ(label(), 0) << output;  // without: what the run before left is gone
+  EXPECT_EQ(files("delayed"), 0u);
+}
+
 TEST_F(LabelCommandTest, SummaryHoldsResultsAndConditions) {
   ASSERT_EQ(label("--set voxel_size_m=0.2 --threads 2"), 0) << output;
   const nlohmann::json json = summary();
