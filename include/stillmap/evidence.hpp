@@ -69,8 +69,11 @@ class FusedEvidence {
   }
   /// dL of eq. (4) for an element that stands at `log_odds`.
   float increment(float log_odds) const {
-    if (conflict_ < 0) return conflict_;
-    return support_increment(eta(log_odds), p_from_log_odds(log_odds));
+    return conflict_ < 0 ? conflict_ : increment(log_odds, p_from_log_odds(log_odds));
+  }
+  /// The same where p is already known.
+  float increment(float log_odds, float p_static) const {
+    return conflict_ < 0 ? conflict_ : support_increment(eta(log_odds), p_static);
   }
   /// The rate of support for it; 0 where there is none.
   float eta(float log_odds) const { return log_odds < 0 ? eta_when_dynamic_ : eta_; }

@@ -34,6 +34,8 @@ struct SphericalGrid {
     const int r = row(elevation_rad);
     return r < 0 || r >= rows ? -1 : column(azimuth_rad) * rows + r;
   }
+  /// pixel() of n directions at once, in vector registers.
+  void pixels(std::size_t n, const float* azimuth_rad, const float* elevation_rad, int* pixel) const;
   std::size_t size() const { return static_cast<std::size_t>(columns) * rows; }
 
  private:
@@ -58,6 +60,10 @@ class RangeImage {
     const Span span = spans_[pixel];
     return {span.nearest * step_m_, span.farthest * step_m_};
   }
+  /// For n places at once: marks[i] becomes 1 where the farthest return in that direction reaches to the
+  /// place, less epsilon_m, or beyond.
+  void mark_reached(std::size_t n, const float* azimuth_rad, const float* elevation_rad, const float* range_m,
+                    float epsilon_m, std::uint8_t* marks) const;
   /// Nearest and farthest return of all pixels within `half_angle_rad` of a direction, and of some more
   /// around: whatever lies there was measured inside this span.
   MeasuredRange around(float azimuth_rad, float elevation_rad, float half_angle_rad) const;

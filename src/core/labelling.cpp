@@ -16,7 +16,7 @@ void Mapper::State::decide(const ScanView& view) {
     if (voxel_of_row[row].exists()) {
       const VoxelBlock& block = map.block(voxel_of_row[row].block);
       const int place = static_cast<int>(voxel_of_row[row].place);
-      labels.p_static[row] = p_from_log_odds(block.at(place).log_odds());
+      labels.p_static[row] = p_static[block.at(place).log_odds_fixed];
       labels.label[row] = decision(labels.p_static[row]);
       labels.reason[row] = reason_of(block, place, labels.label[row], view);
     } else if (projected.range_m[row] < 0) {
@@ -51,7 +51,7 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     const VoxelKey key = s.map.key_of(T_map_sensor * scan.points[row].cast<double>());
     const Voxel* voxel = s.map.find(key);
     if (voxel == nullptr) continue;
-    const float p_static = p_from_log_odds(voxel->log_odds());
+    const float p_static = s.p_static[voxel->log_odds_fixed];
     const Label label = s.decision(p_static);
     if (gates && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
       settled.label[row] = Label::kUncertain;

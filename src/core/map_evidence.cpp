@@ -14,7 +14,6 @@ void Mapper::State::apply_evidence(const ScanView& view) {
 }
 
 void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
-  const auto voxel_m = static_cast<float>(map.voxel_size_m());
   const auto reach = static_cast<float>(reach_m());
   const bool block_hit = block.hit_scan == scan_count;
   const Eigen::Vector3f corner =
@@ -23,16 +22,22 @@ void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
   const auto half_m = static_cast<float>(0.5 * map.block_size_m());
   const Eigen::Vector3f center = corner + view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
   if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;
-  block.age(scan_count);
   BlockProjection seen;
-  seen.project(block, corner, view, voxel_m);
+  block.for_each([&](int place, Voxel& voxel) {
+    if (block_hit && voxel.age == 0) return;  // new: replay judges it
+    if (block_hit && voxel.idle == 0 && parameters.hit_is_support)
+      support(voxel);
+    else
+      seen.add(place, voxel);
+  });
+  seen.project(corner, view, static_cast<float>(map.voxel_size_m()));
+  judge(block, seen, view);
+}
+
+void Mapper::State::judge(const VoxelBlock& block, BlockProjection& seen, const ScanView& view) {
   CellMask surface = 0;
   bool surface_known = false;
-  std::size_t next = 0;
-  block.for_each([&](int place, Voxel& voxel) {
-    const Spherical here = seen[next++];
-    if (voxel.age == 0) return;  // new: replay judges it
-    if (block_hit && voxel.idle == 0 && parameters.hit_is_support) return support(voxel);
+  seen.for_each_told(view, models, [&](int place, Voxel& voxel, const Spherical& here) {
     const FusedEvidence evidence = view.evidence(here, models);
     if (evidence.kind() == Evidence::kUnknown) return;
     float factor = 1;
@@ -42,7 +47,8 @@ void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
       factor = conflict_factor(voxel, (surface & cell_bit(place)) != 0);
       voxel.see_through();
     }
-    voxel.set_log_odds(recursion(voxel.log_odds(), factor * evidence.increment(voxel.log_odds())));
+    const float increment = evidence.increment(voxel.log_odds(), p_static[voxel.log_odds_fixed]);
+    voxel.set_log_odds(recursion(voxel.log_odds(), factor * increment));
   });
 }
 
@@ -50,7 +56,7 @@ void Mapper::State::support(Voxel& voxel) const {
   const float log_odds = voxel.log_odds();
   const bool full = parameters.full_support_on_return && voxel.came_back != 0;
   const float eta = full ? models.front().eta : own_hit.eta(log_odds);
-  voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_from_log_odds(log_odds))));
+  voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_static[voxel.log_odds_fixed])));
 }
 
 float Mapper::State::conflict_factor(const Voxel& voxel, bool beside_surface) const {

@@ -3,9 +3,11 @@
 #include <tbb/task_arena.h>
 #include <tsl/robin_set.h>
 
+#include "block_projection.hpp"
 #include "clusters.hpp"
 #include "ground.hpp"
 #include "object_votes.hpp"
+#include "probability_table.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
@@ -37,6 +39,7 @@ struct Mapper::State {
   std::vector<LevelModel> models;
   Recursion recursion;
   Decision decision;
+  ProbabilityTable p_static;
   GeometryEstimator geometry;
   VoxelMap map;
   FusedEvidence own_hit;
@@ -78,6 +81,7 @@ struct Mapper::State {
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence(const ScanView& view);
   void apply_evidence(const ScanView& view, VoxelBlock& block);
+  void judge(const VoxelBlock& block, BlockProjection& seen, const ScanView& view);
   void support(Voxel& voxel) const;
   float conflict_factor(const Voxel& voxel, bool beside_surface) const;
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vector_clones.hpp"
+
 namespace stillmap {
 
-void spherical(std::size_t n, const float* __restrict x, const float* __restrict y, const float* __restrict z,
-               float* __restrict azimuth_rad, float* __restrict elevation_rad, float* __restrict range_m) {
+STILLMAP_VECTOR_CLONES void spherical(std::size_t n, const float* __restrict x, const float* __restrict y,
+                                      const float* __restrict z, float* __restrict azimuth_rad,
+                                      float* __restrict elevation_rad, float* __restrict range_m) {
   for (std::size_t i = 0; i < n; ++i) {
     const float flat_squared = x[i] * x[i] + y[i] * y[i];
     range_m[i] = std::sqrt(flat_squared + z[i] * z[i]);

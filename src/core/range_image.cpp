@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vector_clones.hpp"
+
 namespace stillmap {
 namespace {
 
@@ -99,6 +101,13 @@ SphericalGrid::SphericalGrid(float column, float row, float elevation_min, float
   inverse_row_ = 1.0F / row_rad;
 }
 
+STILLMAP_VECTOR_CLONES void SphericalGrid::pixels(std::size_t n, const float* __restrict azimuth_rad,
+                                                  const float* __restrict elevation_rad,
+                                                  int* __restrict pixel) const {
+  const SphericalGrid grid = *this;  // so that the compiler need not read it again after each write
+  for (std::size_t i = 0; i < n; ++i) pixel[i] = grid.pixel(azimuth_rad[i], elevation_rad[i]);
+}
+
 RangeImage RangeImage::nearest(const ProjectedScan& scan, float level_rad, float max_range_m) {
   RangeImage image;
   image.step_m_ = max_range_m / kSteps;
@@ -149,6 +158,21 @@ void RangeImage::summarise_tiles() {
       tile.nearest = std::min(tile.nearest, span.nearest);
       tile.farthest = std::max(tile.farthest, span.farthest);
     }
+}
+
+void RangeImage::mark_reached(std::size_t n, const float* azimuth_rad, const float* elevation_rad,
+                              const float* range_m, float epsilon_m, std::uint8_t* marks) const {
+  constexpr std::size_t kBatch = 512;
+  int pixel[kBatch];
+  for (std::size_t first = 0; first < n; first += kBatch) {
+    const std::size_t count = std::min(kBatch, n - first);
+    grid_.pixels(count, azimuth_rad + first, elevation_rad + first, pixel);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint16_t farthest = pixel[i] < 0 ? std::uint16_t{0} : spans_[pixel[i]].farthest;
+      const bool hidden = farthest == 0 || farthest * step_m_ - range_m[first + i] < -epsilon_m;
+      marks[first + i] |= static_cast<std::uint8_t>(!hidden);
+    }
+  }
 }
 
 MeasuredRange RangeImage::around(float azimuth_rad, float elevation_rad, float half_angle_rad) const {
