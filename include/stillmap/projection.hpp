@@ -42,9 +42,10 @@ inline Spherical spherical(const Eigen::Vector3f& point_sensor_m) {
 void spherical(std::size_t n, const float* x, const float* y, const float* z, float* azimuth_rad,
                float* elevation_rad, float* range_m);
 
-/// A scan in spherical coordinates; row i belongs to row i of the scan.
+/// A scan one coordinate after the other, Cartesian and spherical; row i belongs to row i of the scan.
 struct ProjectedScan {
-  std::vector<float> azimuth_rad, elevation_rad;
+  std::vector<float> x_m, y_m, z_m;                    ///< sensor frame
+  std::vector<float> azimuth_rad, elevation_rad;       ///< 0 where there is no usable return
   std::vector<float> range_m;                          ///< 0: no usable return; -1: farther than max_range_m
   float elevation_min_rad = 0, elevation_max_rad = 0;  ///< over the judged rows
   std::size_t judged = 0;                              ///< rows with range > 0

@@ -55,6 +55,11 @@ inline std::uint64_t packed(const BlockKey& key) {
 inline std::uint64_t packed_tile(const TileKey& key) {
   return packed(BlockKey(key.x(), key.y(), 0));
 }
+inline BlockKey unpacked(std::uint64_t key) {
+  constexpr int offset = 1 << 20, mask = (1 << 21) - 1;
+  return {static_cast<int>(key >> 42) - offset, static_cast<int>(key >> 21 & mask) - offset,
+          static_cast<int>(key & mask) - offset};
+}
 
 /// Finaliser of MurmurHash3 (Appleby): neighbouring keys spread over the table.
 struct BlockKeyHash {

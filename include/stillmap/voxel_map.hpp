@@ -28,8 +28,14 @@ class VoxelBlock {
   }
   Voxel& at(int place) { return voxels_[rank(place)]; }
   const Voxel& at(int place) const { return voxels_[rank(place)]; }
+  /// The voxel of a rank.
+  Voxel& stored(int rank) { return voxels_[rank]; }
+  const Voxel& stored(int rank) const { return voxels_[rank]; }
   /// The voxel at `place`, made if it is not there; `created` says which.
-  Voxel& find_or_create(int place, bool& created);
+  Voxel& find_or_create(int place, bool& created) {
+    created = !contains(place);
+    return created ? create(place) : at(place);
+  }
 
   std::size_t size() const { return voxels_.size(); }
   /// Calls visit(place, voxel) by ascending place.
@@ -42,6 +48,17 @@ class VoxelBlock {
     for_each_of(*this, visit);
   }
 
+  /// Has the processor fetch the block itself, and its voxels: for loops over blocks that lie apart.
+  void prefetch() const {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t at = 0; at < sizeof(VoxelBlock); at += kLine)
+      __builtin_prefetch(reinterpret_cast<const char*>(this) + at);
+  }
+  void prefetch_voxels() const {
+    constexpr std::size_t kInALine = 8;
+    for (std::size_t i = 0; i < voxels_.size(); i += kInALine) __builtin_prefetch(&voxels_[i], 1);
+  }
+
   /// Brings Voxel::idle and Voxel::age up to `scan`.
   void age(std::uint32_t scan);
 
@@ -49,13 +66,15 @@ class VoxelBlock {
   BlockContents contents(std::uint32_t scan) const;
   void restore(const BlockContents& contents, std::uint32_t scan);
 
-  std::uint32_t hit_scan = 0;  ///< last scan that hit a voxel of it
-  CellMask standing = 0;       ///< of that scan: cells where it hit surface known to stand
+  std::uint32_t hit_scan = 0;   ///< last scan that hit a voxel of it
+  std::uint32_t hit_index = 0;  ///< of that scan: its number among the blocks that were hit
+  CellMask standing = 0;        ///< of that scan: cells where it hit surface known to stand
   CellMask porous = 0;  ///< of that scan: cells with surface that was hit again after it was seen through
   std::uint32_t moving_scan = 0;  ///< last scan that saw something move in it
   CellMask moving = 0;            ///< of that scan: the cells where it did
 
  private:
+  Voxel& create(int place);
   template <class BlockT, class Visitor>
   static void for_each_of(BlockT& block, Visitor&& visit) {
     auto* voxel = block.voxels_.data();
@@ -71,6 +90,13 @@ class VoxelBlock {
   std::array<std::uint16_t, kWords> before_{};  ///< stored voxels in the words before
   std::vector<Voxel> voxels_;
 };
+
+/// The blocks of one tile, in the order in which they came, with their keys: most need no look at the block.
+struct BlockEntry {
+  BlockKey key;
+  std::uint32_t index;
+};
+using BlockTile = std::vector<BlockEntry>;
 
 /// Sparse hashed voxels in blocks. A block keeps its index and address until its tile is erased; the index
 /// may then be given to another block.
@@ -105,12 +131,12 @@ class VoxelMap {
   const VoxelBlock& block(std::uint32_t index) const { return blocks_[index]; }
   std::size_t voxel_count() const;
 
-  /// Indices of the blocks in all tiles of which some part, seen from above, lies within `reach_m` of a
-  /// place; always in the same order, and a superset of what is that near.
+  /// All tiles of which some part, seen from above, lies within `reach_m` of a place; always in the same
+  /// order. Valid until the next block is made.
   void find_near(const Eigen::Vector3d& center_map_m, double reach_m,
-                 std::vector<std::uint32_t>& blocks) const;
-  /// The blocks of a tile, by the time they came; nullptr when it has none.
-  const std::vector<std::uint32_t>* tile(const TileKey& key) const {
+                 std::vector<const BlockTile*>& tiles) const;
+  /// nullptr when the tile has no blocks.
+  const BlockTile* tile(const TileKey& key) const {
     const auto it = tiles_.find(packed_tile(key));
     return it == tiles_.end() ? nullptr : &it->second;
   }
@@ -119,7 +145,7 @@ class VoxelMap {
  private:
   double voxel_size_m_, inverse_;
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> index_;
-  tsl::robin_map<std::uint64_t, std::vector<std::uint32_t>, BlockKeyHash> tiles_;
+  tsl::robin_map<std::uint64_t, BlockTile, BlockKeyHash> tiles_;
   std::deque<VoxelBlock> blocks_;
   std::vector<std::uint32_t> free_;  ///< indices of erased blocks
 };

@@ -1,44 +1,84 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "mapper_state.hpp"
+#include "vector_clones.hpp"
 
 namespace stillmap {
 
-void Mapper::State::insert(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
-  const Eigen::Matrix3d R = T_map_sensor.linear() * map.inverse_voxel_size();
-  const Eigen::Vector3d t = T_map_sensor.translation() * map.inverse_voxel_size();
-  new_voxels.clear();
-  hit_blocks.clear();
-  voxel_of_row.assign(scan.points.size(), VoxelRef{});
-  BlockKey last_key(0, 0, 0);
-  std::uint32_t last_block = VoxelRef::kNone;  // neighbouring rows mostly share a block
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
-    if (!(projected.range_m[row] > 0)) continue;
-    const Eigen::Vector3d point = R * scan.points[row].cast<double>() + t;  // in voxel edges
-    const Eigen::Vector3d corner = point.array().floor();
-    if ((corner.array().abs() >= kVoxelKeyLimit).any()) continue;
-    const VoxelKey key = corner.cast<int>();
-    const BlockKey block = block_key(key);
-    if (last_block == VoxelRef::kNone || block != last_key) {
-      last_block = enter_block(block);
-      last_key = block;
+void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
+  located.locate(projected, T_map_sensor, map.inverse_voxel_size());
+  find_hit_blocks();
+  sort_rows_by_block();
+  // Each block has its own rows, in the scan's order.
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), 16), [this](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      if (i + 2 < range.end()) map.block(hit_blocks[i + 2].block).prefetch_voxels();
+      insert_rows(hit_blocks[i]);
     }
-    const int place = place_in_block(key);
-    bool created = false;
-    Voxel& voxel = map.block(last_block).find_or_create(place, created);
-    voxel.hit((point - corner).cast<float>());
-    voxel_of_row[row] = {last_block, static_cast<std::uint32_t>(place)};
-    if (created) new_voxels.push_back({voxel_of_row[row], static_cast<std::uint32_t>(row)});
+  });
+  new_voxels.clear();
+  for (const HitBlock& hit : hit_blocks)
+    for (std::uint32_t i = 0; i < hit.new_count; ++i) new_voxels.push_back(new_rows[hit.first_row + i]);
+}
+
+void Mapper::State::find_hit_blocks() {
+  hit_blocks.clear();
+  hit_of_row.resize(projected.size());
+  std::uint64_t last_key = LocatedRows::kNowhere;  // neighbouring rows mostly share a block
+  std::uint32_t last_hit = 0;
+  for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
+    const std::uint64_t key = located.block[row];
+    if (key == LocatedRows::kNowhere) continue;
+    if (key != last_key) last_hit = hit_of_block(key);
+    last_key = key;
+    hit_of_row[row] = last_hit;
+    ++hit_blocks[last_hit].row_count;
   }
 }
 
-std::uint32_t Mapper::State::enter_block(const BlockKey& key) {
-  const std::uint32_t index = map.find_or_create_block(key);
+std::uint32_t Mapper::State::hit_of_block(std::uint64_t packed_key) {
+  const std::uint32_t index = map.find_or_create_block(unpacked(packed_key));
   VoxelBlock& block = map.block(index);
   if (block.hit_scan != scan_count) {
-    block.age(scan_count);
     block.hit_scan = scan_count;
-    hit_blocks.push_back(index);
+    block.hit_index = static_cast<std::uint32_t>(hit_blocks.size());
+    hit_blocks.push_back({index});
   }
-  return index;
+  return block.hit_index;
+}
+
+void Mapper::State::sort_rows_by_block() {
+  std::uint32_t rows = 0;
+  for (HitBlock& hit : hit_blocks) {
+    hit.first_row = rows;
+    rows += hit.row_count;
+    hit.row_count = 0;
+  }
+  rows_by_block.resize(rows);
+  new_rows.resize(rows);
+  voxel_of_row.assign(projected.size(), VoxelRef{});
+  for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
+    if (located.block[row] == LocatedRows::kNowhere) continue;
+    HitBlock& hit = hit_blocks[hit_of_row[row]];
+    rows_by_block[hit.first_row + hit.row_count++] = static_cast<std::uint32_t>(row);
+  }
+}
+
+STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
+  VoxelBlock& block = map.block(hit.block);
+  block.age(scan_count);
+  const std::uint32_t* rows = &rows_by_block[hit.first_row];
+  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+    bool created = false;
+    block.find_or_create(located.place[rows[i]], created).hit(located.offset(rows[i]));
+    if (created) new_rows[hit.first_row + hit.new_count++] = rows[i];
+  }
+  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+    const std::uint16_t place = located.place[rows[i]];
+    voxel_of_row[rows[i]] = {hit.block, place, static_cast<std::uint16_t>(block.rank(place))};
+  }
+  if (every_voxel_is_judged) find_known_surface(block);
 }
 
 }  // namespace stillmap

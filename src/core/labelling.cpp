@@ -14,11 +14,9 @@ void Mapper::State::decide(const ScanView& view) {
   labels.reason.assign(n, Reason::kNoReturn);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
     if (voxel_of_row[row].exists()) {
-      const VoxelBlock& block = map.block(voxel_of_row[row].block);
-      const int place = static_cast<int>(voxel_of_row[row].place);
-      labels.p_static[row] = p_static[block.at(place).log_odds_fixed];
+      labels.p_static[row] = p_static[voxel_of(voxel_of_row[row]).log_odds_fixed];
       labels.label[row] = decision(labels.p_static[row]);
-      labels.reason[row] = reason_of(block, place, labels.label[row], view);
+      labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);
     } else if (projected.range_m[row] < 0) {
       labels.label[row] = Label::kUncertain;
       labels.reason[row] = Reason::kOutOfRange;
@@ -26,15 +24,15 @@ void Mapper::State::decide(const ScanView& view) {
   });
 }
 
-Reason Mapper::State::reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const {
-  const Voxel& voxel = block.at(place);
+Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView& view) const {
+  const Voxel& voxel = voxel_of(ref);
   if (label == Label::kStatic) return Reason::kSupported;
   if (label == Label::kUncertain)
     return voxel.age == 0 && voxel.log_odds_fixed == untold.log_odds_fixed ? Reason::kNeverJudged
                                                                            : Reason::kMixedEvidence;
   if (parameters.hit_is_support) return Reason::kSeenThrough;
   const Eigen::Vector3d in_edges =
-      voxel_key(block.key(), place).cast<double>() + voxel.surface_offset().cast<double>();
+      voxel_key(map.block(ref.block).key(), ref.place).cast<double>() + voxel.surface_offset().cast<double>();
   const FusedEvidence now = view.evidence(view.to_sensor(in_edges * map.voxel_size_m()), models);
   return now.kind() == Evidence::kConflict ? Reason::kSeenThroughNow : Reason::kSeenThrough;
 }

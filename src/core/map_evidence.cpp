@@ -1,3 +1,4 @@
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "block_projection.hpp"
@@ -5,36 +6,59 @@
 
 namespace stillmap {
 
+// Blocks own their voxels and read only what no other block writes: any order gives the same map.
 void Mapper::State::apply_evidence(const ScanView& view) {
-  find_known_surface();
-  map.find_near(view.origin_map_m, reach_m(), near_blocks);
-  // Blocks own their voxels and read only what no other block writes: any order gives the same map.
-  tbb::parallel_for(std::size_t{0}, near_blocks.size(),
-                    [&](std::size_t i) { apply_evidence(view, map.block(near_blocks[i])); });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      if (i + 2 < range.end()) map.block(hit_blocks[i + 2].block).prefetch_voxels();
+      judge_hit_block(view, map.block(hit_blocks[i].block));
+    }
+  });
+  map.find_near(view.origin_map_m, reach_m(), near_tiles);
+  tbb::parallel_for(std::size_t{0}, near_tiles.size(),
+                    [&](std::size_t i) { judge_tile(view, *near_tiles[i]); });
 }
 
-void Mapper::State::apply_evidence(const ScanView& view, VoxelBlock& block) {
-  const auto reach = static_cast<float>(reach_m());
-  const bool block_hit = block.hit_scan == scan_count;
-  const Eigen::Vector3f corner =
-      view.to_sensor(voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m());
-  if (corner.squaredNorm() > reach * reach) return;
-  const auto half_m = static_cast<float>(0.5 * map.block_size_m());
-  const Eigen::Vector3f center = corner + view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
-  if (!block_hit && view.hides_ball(center, half_m * std::sqrt(3.0F), models)) return;
+void Mapper::State::judge_hit_block(const ScanView& view, VoxelBlock& block) {
   BlockProjection seen;
   block.for_each([&](int place, Voxel& voxel) {
-    if (block_hit && voxel.age == 0) return;  // new: replay judges it
-    if (block_hit && voxel.idle == 0 && parameters.hit_is_support)
+    if (voxel.age == 0) return;  // new: replay judges it
+    if (voxel.idle == 0 && parameters.hit_is_support)
       support(voxel);
     else
       seen.add(place, voxel);
   });
-  seen.project(corner, view, static_cast<float>(map.voxel_size_m()));
-  judge(block, seen, view);
+  judge(view, block, seen);
 }
 
-void Mapper::State::judge(const VoxelBlock& block, BlockProjection& seen, const ScanView& view) {
+void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
+  const auto half_m = static_cast<float>(0.5 * map.block_size_m());
+  const Eigen::Vector3f to_center = view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
+  const auto reach = static_cast<float>(reach_m());
+  std::vector<std::uint32_t> in_view;
+  for (const BlockEntry& entry : tile) {
+    const Eigen::Vector3f corner = corner_of(entry.key, view);
+    if (corner.squaredNorm() > reach * reach) continue;
+    if (!view.hides_ball(corner + to_center, half_m * std::sqrt(3.0F), models))
+      in_view.push_back(entry.index);
+  }
+  for (std::size_t i = 0; i < in_view.size(); ++i) {
+    if (i + 4 < in_view.size()) map.block(in_view[i + 4]).prefetch();
+    if (i + 2 < in_view.size()) map.block(in_view[i + 2]).prefetch_voxels();
+    VoxelBlock& block = map.block(in_view[i]);
+    if (block.hit_scan == scan_count) continue;
+    BlockProjection seen;
+    block.for_each([&](int place, Voxel& voxel) { seen.add(place, voxel); });
+    judge(view, block, seen);
+  }
+}
+
+Eigen::Vector3f Mapper::State::corner_of(const BlockKey& key, const ScanView& view) const {
+  return view.to_sensor(voxel_key(key, 0).cast<double>() * map.voxel_size_m());
+}
+
+void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen) {
+  seen.project(corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
   CellMask surface = 0;
   bool surface_known = false;
   seen.for_each_told(view, models, [&](int place, Voxel& voxel, const Spherical& here) {

@@ -53,7 +53,8 @@ Mapper::State::State(const Parameters& p)
       map(p.voxel_size_m),
       own_hit(hit_evidence(models)),
       history(p.history_recent, p.history_spread),
-      arena(p.threads) {
+      arena(p.threads),
+      every_voxel_is_judged(p.evidence_goes_to == "every_voxel") {
   if (p.hit_is_support) untold.set_log_odds(recursion(0, own_hit.increment(0)));
 }
 
@@ -70,7 +71,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
   s.arena.execute([&] {
     ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
     s.ended(Stage::kRangeImage);
-    s.insert(scan, T_map_sensor);
+    s.insert(T_map_sensor);
     s.ended(Stage::kInsertion);
     s.evidence_of(view);  // eq. (2) to (8) for the voxels known before
     s.ended(Stage::kEvidence);
@@ -98,10 +99,10 @@ ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map
 }
 
 void Mapper::State::evidence_of(const ScanView& view) {
-  if (parameters.evidence_goes_to == "nearest_voxel")
-    apply_evidence_to_nearest(view);
-  else
+  if (every_voxel_is_judged)
     apply_evidence(view);
+  else
+    apply_evidence_to_nearest(view);
 }
 
 std::size_t Mapper::voxel_count() const {

@@ -6,6 +6,7 @@
 #include "block_projection.hpp"
 #include "clusters.hpp"
 #include "ground.hpp"
+#include "located_rows.hpp"
 #include "object_votes.hpp"
 #include "probability_table.hpp"
 #include "scan_history.hpp"
@@ -21,14 +22,16 @@ namespace stillmap {
 struct VoxelRef {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
   std::uint32_t block = kNone;
-  std::uint32_t place = 0;
+  std::uint16_t place = 0;  ///< in the block
+  std::uint16_t rank = 0;   ///< of the voxel among the block's stored ones, in the present scan
   bool exists() const { return block != kNone; }
 };
 
-/// A voxel that this scan showed first.
-struct NewVoxel {
-  VoxelRef voxel;
-  std::uint32_t row;  ///< of the scan: the return that made it
+/// A block that this scan hit. Its rows are rows_by_block[first_row + 0 .. row_count - 1]; those that made a
+/// voxel are new_rows[first_row + 0 .. new_count - 1].
+struct HitBlock {
+  std::uint32_t block;
+  std::uint32_t first_row = 0, row_count = 0, new_count = 0;
 };
 
 /// All that a Mapper holds. The steps of process() are its functions, each in the file named above it.
@@ -45,7 +48,8 @@ struct Mapper::State {
   FusedEvidence own_hit;
   ScanHistory history;
   tbb::task_arena arena;
-  Voxel untold;  ///< a new voxel that no earlier scan said anything about
+  bool every_voxel_is_judged;  ///< or only the nearest of each pixel
+  Voxel untold;                ///< a new voxel that no earlier scan said anything about
   StageListener* listener = nullptr;
   std::uint32_t scan_count = 0;
   std::int64_t stamp_ns = 0;
@@ -53,10 +57,14 @@ struct Mapper::State {
   // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
   SensorGeometry beams;
   ProjectedScan projected;
+  LocatedRows located;
+  std::vector<HitBlock> hit_blocks;
+  std::vector<std::uint32_t> hit_of_row;     ///< index in hit_blocks
+  std::vector<std::uint32_t> rows_by_block;  ///< rows of the scan
+  std::vector<std::uint32_t> new_rows;
+  std::vector<std::uint32_t> new_voxels;  ///< rows of the scan whose return made a voxel
   std::vector<VoxelRef> voxel_of_row;
-  std::vector<NewVoxel> new_voxels;
-  std::vector<std::uint32_t> hit_blocks;
-  std::vector<std::uint32_t> near_blocks;  ///< those that the scan may say something about, and some more
+  std::vector<const BlockTile*> near_tiles;  ///< with all that the scan may say something about, and more
   ScanLabels labels;
   Ground ground;
   Clusters clusters, moving_pieces;
@@ -75,13 +83,20 @@ struct Mapper::State {
   }
 
   // insertion.cpp
-  void insert(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
-  std::uint32_t enter_block(const BlockKey& key);
+  void insert(const Eigen::Isometry3d& T_map_sensor);
+  void find_hit_blocks();
+  std::uint32_t hit_of_block(std::uint64_t packed_key);
+  void sort_rows_by_block();
+  void insert_rows(HitBlock& hit);
+  Voxel& voxel_of(const VoxelRef& ref) { return map.block(ref.block).stored(ref.rank); }
+  const Voxel& voxel_of(const VoxelRef& ref) const { return map.block(ref.block).stored(ref.rank); }
 
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence(const ScanView& view);
-  void apply_evidence(const ScanView& view, VoxelBlock& block);
-  void judge(const VoxelBlock& block, BlockProjection& seen, const ScanView& view);
+  void judge_hit_block(const ScanView& view, VoxelBlock& block);
+  void judge_tile(const ScanView& view, const BlockTile& tile);
+  void judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen);
+  Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
   void support(Voxel& voxel) const;
   float conflict_factor(const Voxel& voxel, bool beside_surface) const;
 
@@ -94,7 +109,7 @@ struct Mapper::State {
   float replay_conflict_factor(const VoxelRef& voxel) const;
 
   // neighbourhood.cpp
-  void find_known_surface();
+  void find_known_surface(VoxelBlock& block) const;
   CellMask near_standing_surface(const BlockKey& key) const;
   CellMask near_porous(const BlockKey& key) const;
   CellMask near_moving(const BlockKey& key) const;
@@ -114,7 +129,7 @@ struct Mapper::State {
 
   // labelling.cpp
   void decide(const ScanView& view);
-  Reason reason_of(const VoxelBlock& block, int place, Label label, const ScanView& view) const;
+  Reason reason_of(const VoxelRef& voxel, Label label, const ScanView& view) const;
 
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);

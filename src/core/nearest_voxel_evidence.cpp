@@ -34,17 +34,18 @@ void judge_nearest(std::vector<InView>& in_view, const RangeImage& image, const 
 
 void Mapper::State::apply_evidence_to_nearest(const ScanView& view) {
   std::vector<InView> in_view;
-  map.find_near(view.origin_map_m, reach_m(), near_blocks);
-  for (const std::uint32_t index : near_blocks) {
-    VoxelBlock& block = map.block(index);
-    block.age(scan_count);
-    block.for_each([&](int place, Voxel& voxel) {
-      const Eigen::Vector3d in_edges =
-          voxel_key(block.key(), place).cast<double>() + voxel.surface_offset().cast<double>();
-      const Spherical seen = spherical(view.to_sensor(in_edges * map.voxel_size_m()));
-      if (seen.range_m <= parameters.max_range_m) in_view.push_back({&voxel, seen, FusedEvidence{}});
-    });
-  }
+  map.find_near(view.origin_map_m, reach_m(), near_tiles);
+  for (const BlockTile* tile : near_tiles)
+    for (const BlockEntry& entry : *tile) {
+      VoxelBlock& block = map.block(entry.index);
+      block.age(scan_count);
+      block.for_each([&](int place, Voxel& voxel) {
+        const Eigen::Vector3d in_edges =
+            voxel_key(entry.key, place).cast<double>() + voxel.surface_offset().cast<double>();
+        const Spherical seen = spherical(view.to_sensor(in_edges * map.voxel_size_m()));
+        if (seen.range_m <= parameters.max_range_m) in_view.push_back({&voxel, seen, FusedEvidence{}});
+      });
+    }
   for (std::size_t r = 0; r < models.size(); ++r) judge_nearest(in_view, view.levels()[r], models[r]);
   for (InView& element : in_view) {
     if (parameters.hit_is_support && element.voxel->idle == 0) element.evidence = own_hit;

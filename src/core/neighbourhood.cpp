@@ -10,19 +10,18 @@ constexpr std::uint32_t kMovingMemoryScans = 2;
 
 }  // namespace
 
-void Mapper::State::find_known_surface() {
+void Mapper::State::find_known_surface(VoxelBlock& block) const {
   constexpr int kEstablishedHits = 3;
   const float established = log_odds_from_p(decision.p_static_min);
-  for (const std::uint32_t index : hit_blocks) {
-    VoxelBlock& block = map.block(index);
-    block.standing = block.porous = 0;
-    block.for_each([&](int place, const Voxel& voxel) {
-      const float log_odds = voxel.log_odds();
-      if (voxel.idle <= kStandingMemoryScans && voxel.hits >= kEstablishedHits && log_odds >= established)
-        block.standing |= cell_bit(place);
-      if (voxel.came_back != 0 && log_odds > 0) block.porous |= cell_bit(place);
-    });
-  }
+  block.standing = block.porous = 0;
+  block.for_each([&](int place, const Voxel& voxel) {
+    const CellMask cell = cell_bit(place);
+    const bool stands = (voxel.idle <= kStandingMemoryScans) & (voxel.hits >= kEstablishedHits) &
+                        (voxel.log_odds() >= established);
+    const bool porous = (voxel.came_back != 0) & (voxel.log_odds_fixed > 0);
+    block.standing |= stands ? cell : 0;
+    block.porous |= porous ? cell : 0;
+  });
 }
 
 CellMask Mapper::State::near_standing_surface(const BlockKey& key) const {

@@ -46,8 +46,7 @@ void Mapper::State::find_clues() {
     }
     const auto place = static_cast<int>(at.place);
     clues[row].followed = (moving_near & cell_bit(place)) != 0;
-    clues[row].established =
-        labels.label[row] == Label::kStatic && map.block(at.block).at(place).age >= kYoungScans;
+    clues[row].established = labels.label[row] == Label::kStatic && voxel_of(at).age >= kYoungScans;
   }
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "for_rows.hpp"
 #include "vector_clones.hpp"
 
 namespace stillmap {
@@ -18,28 +20,59 @@ STILLMAP_VECTOR_CLONES void spherical(std::size_t n, const float* __restrict x, 
   }
 }
 
-void project(const Scan& scan, float min_range_m, float max_range_m, ProjectedScan& projected) {
-  const std::size_t n = scan.points.size();
-  projected.azimuth_rad.resize(n);
-  projected.elevation_rad.resize(n);
-  projected.range_m.resize(n);
+namespace {
+
+/// spherical() of rows first .. last - 1 of the scan, and which of them are usable.
+STILLMAP_VECTOR_CLONES void project_rows(std::size_t first, std::size_t last, float min_range_m,
+                                         float max_range_m, const float* __restrict x,
+                                         const float* __restrict y, const float* __restrict z,
+                                         float* __restrict azimuth_rad, float* __restrict elevation_rad,
+                                         float* __restrict range_m) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  for (std::size_t i = first; i < last; ++i) {
+    const float flat = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+    const float range = std::sqrt(flat * flat + z[i] * z[i]);
+    const float azimuth = fast_atan2(y[i], x[i]), elevation = fast_atan2(z[i], flat);
+    const bool usable = (range >= min_range_m) & (range <= max_range_m) & (range > 0);  // false for NaN
+    const bool too_far = (range > max_range_m) & (range <= kLargest);
+    range_m[i] = usable ? range : too_far ? -1.0F : 0.0F;
+    azimuth_rad[i] = usable ? azimuth : 0.0F;
+    elevation_rad[i] = usable ? elevation : 0.0F;
+  }
+}
+
+void note_extent(ProjectedScan& projected) {
   float lowest = 2.0F, highest = -2.0F;
   std::size_t judged = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Spherical s = spherical(scan.points[i]);
-    const bool usable =
-        s.range_m >= min_range_m && s.range_m <= max_range_m && s.range_m > 0;  // false for NaN
-    projected.azimuth_rad[i] = s.azimuth_rad;
-    projected.elevation_rad[i] = s.elevation_rad;
-    const bool too_far = s.range_m > max_range_m && std::isfinite(s.range_m);
-    projected.range_m[i] = usable ? s.range_m : too_far ? -1.0F : 0.0F;
-    lowest = usable ? std::min(lowest, s.elevation_rad) : lowest;
-    highest = usable ? std::max(highest, s.elevation_rad) : highest;
+  for (std::size_t i = 0; i < projected.size(); ++i) {
+    const bool usable = projected.range_m[i] > 0;
+    lowest = usable ? std::min(lowest, projected.elevation_rad[i]) : lowest;
+    highest = usable ? std::max(highest, projected.elevation_rad[i]) : highest;
     judged += usable;
   }
   projected.judged = judged;
   projected.elevation_min_rad = judged > 0 ? lowest : 0.0F;
   projected.elevation_max_rad = judged > 0 ? highest : 0.0F;
+}
+
+}  // namespace
+
+void project(const Scan& scan, float min_range_m, float max_range_m, ProjectedScan& projected) {
+  const std::size_t n = scan.points.size();
+  for (std::vector<float>* column : {&projected.x_m, &projected.y_m, &projected.z_m, &projected.azimuth_rad,
+                                     &projected.elevation_rad, &projected.range_m})
+    column->resize(n);
+  ProjectedScan& p = projected;
+  for_rows(n, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      p.x_m[i] = scan.points[i].x();
+      p.y_m[i] = scan.points[i].y();
+      p.z_m[i] = scan.points[i].z();
+    }
+    project_rows(first, last, min_range_m, max_range_m, p.x_m.data(), p.y_m.data(), p.z_m.data(),
+                 p.azimuth_rad.data(), p.elevation_rad.data(), p.range_m.data());
+  });
+  note_extent(projected);
 }
 
 }  // namespace stillmap

@@ -6,10 +6,10 @@ namespace stillmap {
 
 void Mapper::State::replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
   tbb::parallel_for(std::size_t{0}, new_voxels.size(), [&](std::size_t i) {
-    const NewVoxel& born = new_voxels[i];
-    float log_odds = replayed_log_odds(born.voxel, T_map_sensor * scan.points[born.row].cast<double>());
+    const std::uint32_t row = new_voxels[i];
+    float log_odds = replayed_log_odds(voxel_of_row[row], T_map_sensor * scan.points[row].cast<double>());
     if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));
-    map.block(born.voxel.block).at(static_cast<int>(born.voxel.place)).set_log_odds(log_odds);
+    voxel_of(voxel_of_row[row]).set_log_odds(log_odds);
   });
 }
 

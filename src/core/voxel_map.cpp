@@ -4,16 +4,11 @@
 
 namespace stillmap {
 
-Voxel& VoxelBlock::find_or_create(int place, bool& created) {
-  const int index = rank(place);
-  created = !contains(place);
-  if (created) {
-    voxels_.insert(voxels_.begin() + index, Voxel{});
-    const int word = place >> 6;
-    occupied_[word] |= std::uint64_t{1} << (place & 63);
-    for (int later = word + 1; later < kWords; ++later) ++before_[later];
-  }
-  return voxels_[index];
+Voxel& VoxelBlock::create(int place) {
+  const int index = rank(place), word = place >> 6;
+  occupied_[word] |= std::uint64_t{1} << (place & 63);
+  for (int later = word + 1; later < kWords; ++later) ++before_[later];
+  return *voxels_.insert(voxels_.begin() + index, Voxel{});
 }
 
 void VoxelBlock::age(std::uint32_t scan) {
@@ -52,13 +47,13 @@ std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
     free_.pop_back();
     blocks_[next] = VoxelBlock(key);
   }
-  tiles_[packed_tile(tile_key(key))].push_back(next);
+  tiles_[packed_tile(tile_key(key))].push_back({key, next});
   return next;
 }
 
 void VoxelMap::find_near(const Eigen::Vector3d& center_map_m, double reach_m,
-                         std::vector<std::uint32_t>& blocks) const {
-  blocks.clear();
+                         std::vector<const BlockTile*>& tiles) const {
+  tiles.clear();
   const double tile_m = block_size_m() * kTileEdge;
   const Eigen::Array2d center = center_map_m.head<2>().array() / tile_m;
   const double reach = reach_m / tile_m;
@@ -68,19 +63,19 @@ void VoxelMap::find_near(const Eigen::Vector3d& center_map_m, double reach_m,
     for (int x = first.x(); x <= last.x(); ++x) {
       const Eigen::Array2d corner(x, y);
       const Eigen::Array2d nearest = center.max(corner).min(corner + 1);
-      const std::vector<std::uint32_t>* const here = tile({x, y});
+      const BlockTile* const here = tile({x, y});
       if (here == nullptr || (center - nearest).matrix().squaredNorm() > reach * reach) continue;
-      blocks.insert(blocks.end(), here->begin(), here->end());
+      tiles.push_back(here);
     }
 }
 
 void VoxelMap::erase_tile(const TileKey& key) {
   const auto it = tiles_.find(packed_tile(key));
   if (it == tiles_.end()) return;
-  for (const std::uint32_t index : it->second) {
-    index_.erase(packed(blocks_[index].key()));
-    blocks_[index] = VoxelBlock(BlockKey::Zero());
-    free_.push_back(index);
+  for (const BlockEntry& entry : it->second) {
+    index_.erase(packed(entry.key));
+    blocks_[entry.index] = VoxelBlock(BlockKey::Zero());
+    free_.push_back(entry.index);
   }
   tiles_.erase(it);
 }

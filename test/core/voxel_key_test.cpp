@@ -46,6 +46,7 @@ TEST(BlockKey, PackedIsUniqueAndKeepsTheOrder) {
     const BlockKey key = i % 2 == 0 ? BlockKey(anywhere(random), anywhere(random), anywhere(random))
                                     : BlockKey(near(random), near(random), near(random));
     seen[{key.x(), key.y(), key.z()}] = packed(key);
+    EXPECT_EQ(unpacked(packed(key)), key);
   }
   for (auto it = seen.begin(), next = std::next(it); next != seen.end(); ++it, ++next)
     EXPECT_LT(it->second, next->second);

@@ -118,10 +118,14 @@ TEST(VoxelMap, FindsAllThatIsNearAndLittleElse) {
   for (int i = 0; i < 5000; ++i) map.find_or_create_block({anywhere(random), anywhere(random), i % 40});
   const double reach_m = 50, tile_m = kTileEdge * map.block_size_m();
   const Eigen::Vector3d center(-20.03, 33.3, 1);
-  std::vector<std::uint32_t> found;
-  map.find_near(center, reach_m, found);
-  const std::set<std::uint32_t> near(found.begin(), found.end());
-  EXPECT_EQ(near.size(), found.size());
+  std::vector<const BlockTile*> tiles;
+  map.find_near(center, reach_m, tiles);
+  std::set<std::uint32_t> near;
+  for (const BlockTile* tile : tiles)
+    for (const BlockEntry& entry : *tile) {
+      EXPECT_TRUE(near.insert(entry.index).second);
+      EXPECT_EQ(entry.key, map.block(entry.index).key());
+    }
   for (std::uint32_t index = 0; index < map.block_count(); ++index) {
     const Eigen::Vector2d corner = map.block(index).key().head<2>().cast<double>() * map.block_size_m();
     const double distance_m = (corner - center.head<2>()).norm();
