@@ -1,75 +1,136 @@
 #include "clusters.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+
+#include "for_rows.hpp"
+#include "vector_clones.hpp"
 
 namespace stillmap {
+namespace {
 
-void Clusters::find(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
+/// A neighbour of a pixel, ahead of it; the one behind finds it in turn.
+struct Step {
+  int columns, rows;
+};
+constexpr std::array<Step, 10> kSteps = {
+    {{0, 1}, {0, 2}, {1, -2}, {1, -1}, {1, 0}, {1, 1}, {1, 2}, {2, -1}, {2, 0}, {2, 1}}};
+
+/// Pointers into the image: one coordinate of some pixels in a row.
+struct Pixels {
+  const float *x_m, *y_m, *z_m, *range_m;
+};
+
+/// Two returns are one surface; NaN never is.
+inline bool together(float dx, float dy, float dz, float nearer_range_m, float reach_per_m) {
+  const float reach_m = 0.25F + reach_per_m * nearer_range_m;
+  return dx * dx + (dy * dy + dz * dz) <= reach_m * reach_m;
+}
+
+/// Sets `bit` in the links of each of n pixels that is one surface with its neighbour.
+STILLMAP_VECTOR_CLONES void link(std::size_t n, const Pixels here, const Pixels there, float reach_per_m,
+                                 std::uint16_t bit, std::uint16_t* __restrict links) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool linked =
+        together(here.x_m[i] - there.x_m[i], here.y_m[i] - there.y_m[i], here.z_m[i] - there.z_m[i],
+                 std::min(here.range_m[i], there.range_m[i]), reach_per_m);
+    links[i] = static_cast<std::uint16_t>(links[i] | (linked ? bit : 0));
+  }
+}
+
+}  // namespace
+
+void Clusters::find(const ProjectedScan& scan, SensorGeometry geometry,
                     const std::vector<std::uint8_t>& use) {
   // Pixels a little finer than the beams: each ring has rows of its own, with at most one empty row between
   // two.
   grid_ = SphericalGrid(2.0F * geometry.azimuth_step_rad, 0.75F * geometry.ring_spacing_rad,
-                        projected.elevation_min_rad, projected.elevation_max_rad);
-  place_rows(projected, use);
-  connect(scan, projected, geometry);
-  name_clusters(scan, projected, geometry, use);
+                        scan.elevation_min_rad, scan.elevation_max_rad);
+  reach_per_m_ = 1.2F * std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
+  place_rows(scan, use);
+  tbb::parallel_for(0, grid_.columns, [this](int column) { link_column(column); });
+  join_links();
+  name_clusters(scan);
 }
 
-void Clusters::place_rows(const ProjectedScan& projected, const std::vector<std::uint8_t>& use) {
+void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use) {
+  pixel_of_row_.resize(scan.size());
+  for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
+    grid_.pixels(last - first, &scan.azimuth_rad[first], &scan.elevation_rad[first], &pixel_of_row_[first]);
+    for (std::size_t row = first; row < last; ++row)
+      pixel_of_row_[row] = use[row] != 0 ? pixel_of_row_[row] : -1;
+  });
   nearest_row_.assign(grid_.size(), kNone);
-  for (std::size_t row = 0; row < projected.size(); ++row) {
-    if (use[row] == 0) continue;
-    const int pixel = grid_.pixel(projected.azimuth_rad[row], projected.elevation_rad[row]);
-    if (pixel < 0) continue;
-    std::int32_t& nearest = nearest_row_[pixel];
-    if (nearest == kNone || projected.range_m[row] < projected.range_m[nearest])
+  for (std::size_t row = 0; row < scan.size(); ++row) {
+    if (pixel_of_row_[row] < 0) continue;
+    std::int32_t& nearest = nearest_row_[pixel_of_row_[row]];
+    if (nearest == kNone || scan.range_m[row] < scan.range_m[nearest])
       nearest = static_cast<std::int32_t>(row);
+  }
+  constexpr float kNoReturn = std::numeric_limits<float>::quiet_NaN();
+  links_.resize(grid_.size());
+  for (auto* plane : {&image_.x_m, &image_.y_m, &image_.z_m, &image_.range_m}) plane->resize(grid_.size());
+  for_rows(grid_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t pixel = first; pixel < last; ++pixel) {
+      const std::int32_t row = nearest_row_[pixel];
+      image_.x_m[pixel] = row < 0 ? kNoReturn : scan.x_m[row];
+      image_.y_m[pixel] = row < 0 ? kNoReturn : scan.y_m[row];
+      image_.z_m[pixel] = row < 0 ? kNoReturn : scan.z_m[row];
+      image_.range_m[pixel] = row < 0 ? kNoReturn : scan.range_m[row];
+    }
+  });
+}
+
+void Clusters::link_column(int column) {
+  const auto at = [this](int pixel) {
+    return Pixels{&image_.x_m[pixel], &image_.y_m[pixel], &image_.z_m[pixel], &image_.range_m[pixel]};
+  };
+  const int here = column * grid_.rows;
+  std::fill_n(&links_[here], grid_.rows, std::uint16_t{0});
+  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+    const int there = (column + kSteps[k].columns) % grid_.columns * grid_.rows;
+    const int first = std::max(0, -kSteps[k].rows), last = grid_.rows - std::max(0, kSteps[k].rows);
+    if (first >= last) continue;
+    link(static_cast<std::size_t>(last - first), at(here + first), at(there + first + kSteps[k].rows),
+         reach_per_m_, static_cast<std::uint16_t>(1U << k), &links_[here + first]);
   }
 }
 
-bool Clusters::together(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
-                        std::int32_t a, std::int32_t b) const {
-  const float range_m = std::min(projected.range_m[a], projected.range_m[b]);
-  const float spacing_rad = std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
-  const float reach_m = 0.25F + 1.2F * spacing_rad * range_m;
-  return (scan.points[a] - scan.points[b]).squaredNorm() <= reach_m * reach_m;
-}
-
-void Clusters::connect(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry) {
+void Clusters::join_links() {
   parent_.resize(grid_.size());
   for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel)
     parent_[pixel] = static_cast<std::int32_t>(pixel);
-  const auto connect_to = [&](std::int32_t pixel, int column, int row) {
-    if (row < 0 || row >= grid_.rows) return;
-    const std::int32_t other = (column % grid_.columns) * grid_.rows + row;
-    const std::int32_t a = nearest_row_[pixel], b = nearest_row_[other];
-    if (b != kNone && together(scan, projected, geometry, a, b)) join(pixel, other);
-  };
-  for (int column = 0; column < grid_.columns; ++column)
-    for (int row = 0; row < grid_.rows; ++row) {
-      const std::int32_t pixel = column * grid_.rows + row;
-      if (nearest_row_[pixel] == kNone) continue;
-      connect_to(pixel, column, row + 1);
-      connect_to(pixel, column, row + 2);
-      for (int up = -2; up <= 2; ++up) connect_to(pixel, column + 1, row + up);
-      for (int up = -1; up <= 1; ++up) connect_to(pixel, column + 2, row + up);
-    }
+  for (int column = 0; column < grid_.columns; ++column) {
+    std::array<std::int32_t, kSteps.size()> to;
+    for (std::size_t k = 0; k < kSteps.size(); ++k)
+      to[k] = (column + kSteps[k].columns) % grid_.columns * grid_.rows + kSteps[k].rows;
+    for (int row = 0; row < grid_.rows; ++row)
+      for (unsigned links = links_[column * grid_.rows + row]; links != 0; links &= links - 1)
+        join(column * grid_.rows + row, to[__builtin_ctz(links)] + row);
+  }
+  for (std::int32_t& parent : parent_) parent = parent_[parent];  // those before are roots by now
 }
 
-void Clusters::name_clusters(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
-                             const std::vector<std::uint8_t>& use) {
-  std::vector<std::int32_t> name(grid_.size(), kNone);
-  of_row_.assign(projected.size(), kNone);
+void Clusters::name_clusters(const ProjectedScan& scan) {
+  of_row_.resize(scan.size());
+  for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row) {
+      const std::int32_t pixel = pixel_of_row_[row];
+      of_row_[row] = kNone;
+      if (pixel < 0) continue;
+      const bool linked = together(image_.x_m[pixel] - scan.x_m[row], image_.y_m[pixel] - scan.y_m[row],
+                                   image_.z_m[pixel] - scan.z_m[row], image_.range_m[pixel], reach_per_m_);
+      if (linked) of_row_[row] = parent_[pixel];
+    }
+  });
+  name_.assign(grid_.size(), kNone);
   count_ = 0;
-  for (std::size_t row = 0; row < projected.size(); ++row) {
-    if (use[row] == 0) continue;
-    const int pixel = grid_.pixel(projected.azimuth_rad[row], projected.elevation_rad[row]);
-    if (pixel < 0) continue;
-    const auto here = static_cast<std::int32_t>(row);
-    if (!together(scan, projected, geometry, nearest_row_[pixel], here)) continue;
-    std::int32_t& cluster = name[root(pixel)];
-    if (cluster == kNone) cluster = static_cast<std::int32_t>(count_++);
-    of_row_[row] = cluster;
+  for (std::int32_t& cluster : of_row_) {
+    if (cluster == kNone) continue;
+    std::int32_t& name = name_[cluster];
+    if (name == kNone) name = static_cast<std::int32_t>(count_++);
+    cluster = name;
   }
 }
 

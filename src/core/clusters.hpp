@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "stillmap/range_image.hpp"
-#include "stillmap/types.hpp"
 
 namespace stillmap {
 
@@ -15,27 +14,33 @@ class Clusters {
   static constexpr std::int32_t kNone = -1;
 
   /// Rows with use[row] == 0 take no part.
-  void find(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
-            const std::vector<std::uint8_t>& use);
+  void find(const ProjectedScan& scan, SensorGeometry geometry, const std::vector<std::uint8_t>& use);
 
   /// Cluster of each row, 0 .. count() - 1, or kNone.
   const std::vector<std::int32_t>& of_row() const { return of_row_; }
   std::size_t count() const { return count_; }
 
  private:
-  void place_rows(const ProjectedScan& projected, const std::vector<std::uint8_t>& use);
-  void connect(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry);
-  void name_clusters(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry,
-                     const std::vector<std::uint8_t>& use);
-  bool together(const Scan& scan, const ProjectedScan& projected, SensorGeometry geometry, std::int32_t a,
-                std::int32_t b) const;
-  std::int32_t root(std::int32_t pixel);
+  void place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use);
+  void link_column(int column);
+  void join_links();
+  void name_clusters(const ProjectedScan& scan);
   void join(std::int32_t a, std::int32_t b);
+  std::int32_t root(std::int32_t pixel);
+
+  /// The nearest return of each pixel; NaN where there is none.
+  struct Image {
+    std::vector<float> x_m, y_m, z_m, range_m;
+  };
 
   SphericalGrid grid_;
-  std::vector<std::int32_t> nearest_row_;  ///< of each pixel, or kNone
-  std::vector<std::int32_t> parent_;       ///< union-find over pixels
-  std::vector<std::int32_t> of_row_;
+  float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
+  std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
+  std::vector<std::int32_t> nearest_row_;   ///< of each pixel, or kNone
+  Image image_;
+  std::vector<std::uint16_t> links_;  ///< of each pixel: to which of its neighbours it is connected
+  std::vector<std::int32_t> parent_;  ///< union-find over pixels; never more than the pixel itself
+  std::vector<std::int32_t> name_, of_row_;
   std::size_t count_ = 0;
 };
 

@@ -4,46 +4,71 @@
 #include <cmath>
 #include <limits>
 
+#include "for_rows.hpp"
+#include "vector_clones.hpp"
+
 namespace stillmap {
 namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::max();
 
-}  // namespace
-
-int Ground::cell_of(const Eigen::Vector3f& upright) {
-  constexpr float kPi = 3.14159265358979F;
-  const float turn = (fast_atan2(upright.y(), upright.x()) + kPi) / (2 * kPi);
-  const int sector = std::clamp(static_cast<int>(turn * kSectors), 0, kSectors - 1);
-  const int ring = static_cast<int>(upright.head<2>().norm() / kRingM);
-  return ring < kRings ? sector * kRings + ring : -1;
+/// One axis of n points in another frame; `axis` is that axis in their own.
+STILLMAP_VECTOR_CLONES void turn_onto(const Eigen::Vector3f axis, std::size_t n, const float* __restrict x,
+                                      const float* __restrict y, const float* __restrict z,
+                                      float* __restrict turned) {
+  const float ax = axis.x(), ay = axis.y(), az = axis.z();
+  for (std::size_t i = 0; i < n; ++i) turned[i] = ax * x[i] + (ay * y[i] + az * z[i]);
 }
 
-void Ground::fit(const Scan& scan, const ProjectedScan& projected, const Eigen::Matrix3f& R_map_sensor) {
+STILLMAP_VECTOR_CLONES void find_cells(std::size_t n, const float* __restrict x, const float* __restrict y,
+                                       std::int16_t* __restrict cell) {
+  constexpr float kPi = 3.14159265358979F;
+  constexpr float kLastSector = Ground::kSectors - 1, kBeyond = Ground::kRings;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float turn = (fast_atan2(y[i], x[i]) + kPi) / (2 * kPi) * Ground::kSectors;
+    const float flat = std::sqrt(x[i] * x[i] + y[i] * y[i]) / Ground::kRingM;
+    const int sector = static_cast<int>(turn < kLastSector ? std::max(turn, 0.0F) : kLastSector);
+    const int ring = static_cast<int>(flat < kBeyond ? flat : kBeyond);  // NaN is beyond, too
+    cell[i] = static_cast<std::int16_t>(ring < Ground::kRings ? sector * Ground::kRings + ring : -1);
+  }
+}
+
+}  // namespace
+
+void UprightRows::turn(const ProjectedScan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  for (std::vector<float>* axis : {&x_m, &y_m, &z_m}) axis->resize(scan.size());
+  ground_cell.resize(scan.size());
+  for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
+    const std::size_t n = last - first;
+    std::vector<float>* const axes[] = {&x_m, &y_m, &z_m};
+    for (int a = 0; a < 3; ++a)
+      turn_onto(R_map_sensor.row(a), n, &scan.x_m[first], &scan.y_m[first], &scan.z_m[first],
+                &(*axes[a])[first]);
+    find_cells(n, &x_m[first], &y_m[first], &ground_cell[first]);
+  });
+}
+
+void Ground::fit(const UprightRows& rows, const ProjectedScan& scan) {
   lowest_.assign(kSectors * kRings, kNothing);
   height_.assign(kSectors * kRings, 0.0F);
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (!(projected.range_m[i] > 0)) continue;
-    const Eigen::Vector3f upright = R_map_sensor * scan.points[i];
-    const int cell = cell_of(upright);
-    if (cell >= 0) lowest_[cell] = std::min(lowest_[cell], upright.z());
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const int cell = rows.ground_cell[i];
+    if (scan.range_m[i] > 0 && cell >= 0) lowest_[cell] = std::min(lowest_[cell], rows.z_m[i]);
   }
   const float seed = seed_height();
   for (int sector = 0; sector < kSectors; ++sector) walk(sector, seed);
-  settle_on_returns(scan, projected, R_map_sensor);
+  settle_on_returns(rows, scan);
 }
 
-void Ground::settle_on_returns(const Scan& scan, const ProjectedScan& projected,
-                               const Eigen::Matrix3f& R_map_sensor) {
+void Ground::settle_on_returns(const UprightRows& rows, const ProjectedScan& scan) {
   // The lowest return lies a few sigmas low: take the mean of what lies close to it.
   constexpr float kBelowM = 0.05F, kAboveM = 0.12F;
   sum_.assign(height_.size(), 0.0F);
   count_.assign(height_.size(), 0.0F);
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (!(projected.range_m[i] > 0)) continue;
-    const Eigen::Vector3f upright = R_map_sensor * scan.points[i];
-    const int cell = cell_of(upright);
-    const float above = cell < 0 ? kAboveM : upright.z() - height_[cell];
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const int cell = rows.ground_cell[i];
+    if (!(scan.range_m[i] > 0) || cell < 0) continue;
+    const float above = rows.z_m[i] - height_[cell];
     if (above <= -kBelowM || above >= kAboveM) continue;
     sum_[cell] += above;
     count_[cell] += 1;
@@ -81,9 +106,14 @@ void Ground::walk(int sector, float seed) {
   }
 }
 
-float Ground::height_above(const Eigen::Vector3f& upright) const {
-  const int cell = cell_of(upright);
-  return cell < 0 ? std::numeric_limits<float>::infinity() : upright.z() - height_[cell];
+void Ground::heights_above(const UprightRows& rows, std::vector<float>& height_m) const {
+  height_m.resize(rows.z_m.size());
+  for_rows(height_m.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const int cell = rows.ground_cell[i];
+      height_m[i] = cell < 0 ? std::numeric_limits<float>::infinity() : rows.z_m[i] - height_[cell];
+    }
+  });
 }
 
 }  // namespace stillmap

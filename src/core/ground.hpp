@@ -1,32 +1,37 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "stillmap/projection.hpp"
-#include "stillmap/types.hpp"
 
 namespace stillmap {
 
-/// The ground around the sensor in one scan, found by walking outward from it in sectors. z of the map is up.
+/// The rows of a scan turned upright: from the sensor, along the axes of the map, of which z is up.
+struct UprightRows {
+  std::vector<float> x_m, y_m, z_m;
+  std::vector<std::int16_t> ground_cell;  ///< of Ground, below or above the row; -1 beyond its last ring
+
+  void turn(const ProjectedScan& scan, const Eigen::Matrix3f& R_map_sensor);
+};
+
+/// The ground around the sensor in one scan, found by walking outward from it in sectors.
 class Ground {
  public:
-  /// R_map_sensor turns sensor points upright; heights are relative to the sensor.
-  void fit(const Scan& scan, const ProjectedScan& projected, const Eigen::Matrix3f& R_map_sensor);
-
-  /// Height of a point above the ground below it; `upright` is relative to the sensor, axes of the map.
-  float height_above(const Eigen::Vector3f& upright) const;
-
- private:
   static constexpr int kSectors = 120;
   static constexpr int kRings = 100;
   static constexpr float kRingM = 1.0F;
 
-  static int cell_of(const Eigen::Vector3f& upright);  ///< -1 beyond the last ring
+  void fit(const UprightRows& rows, const ProjectedScan& scan);
+
+  /// Height of each row above the ground below it; infinite beyond the last ring.
+  void heights_above(const UprightRows& rows, std::vector<float>& height_m) const;
+
+ private:
   float seed_height() const;
   void walk(int sector, float seed);
-  void settle_on_returns(const Scan& scan, const ProjectedScan& projected,
-                         const Eigen::Matrix3f& R_map_sensor);
+  void settle_on_returns(const UprightRows& rows, const ProjectedScan& scan);
 
   std::vector<float> lowest_;  ///< per sector and ring; kNothing = no return
   std::vector<float> height_;  ///< of the ground, for all of them

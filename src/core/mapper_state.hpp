@@ -66,7 +66,9 @@ struct Mapper::State {
   std::vector<VoxelRef> voxel_of_row;
   std::vector<const BlockTile*> near_tiles;  ///< with all that the scan may say something about, and more
   ScanLabels labels;
+  UprightRows upright;
   Ground ground;
+  std::vector<float> height_above_ground_m;  ///< by row
   Clusters clusters, moving_pieces;
   std::vector<Votes> object_votes, patch_votes;
   std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
@@ -133,16 +135,16 @@ struct Mapper::State {
 
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
-  void separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void separate_ground();
   void find_clues();
-  void count_votes(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void count_votes();
   void test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
                          const ScanView& view) const;
   void decide_by_vote();
-  void take_feet_along(const Scan& scan, const Eigen::Matrix3f& R_map_sensor);
+  void take_feet_along();
   void settle(std::size_t row, Reason reason);
-  void defer_specks(const Scan& scan);
+  void defer_specks();
 };
 
 }  // namespace stillmap

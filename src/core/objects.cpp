@@ -1,71 +1,84 @@
 #include <tbb/parallel_for.h>
 #include <tsl/robin_map.h>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
 
 void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                                     const ScanView& view) {
-  const Eigen::Matrix3f R_map_sensor = T_map_sensor.linear().cast<float>();
-  clues.assign(scan.points.size(), RowClues{});
-  separate_ground(scan, R_map_sensor);
-  clusters.find(scan, projected, beams, takes_part);
+  upright.turn(projected, T_map_sensor.linear().cast<float>());
+  separate_ground();
+  clusters.find(projected, beams, takes_part);
   find_clues();
-  count_votes(scan, R_map_sensor);
+  count_votes();
   test_vanished(scan, T_map_sensor, view);
   decide_by_vote();
-  defer_specks(scan);
+  defer_specks();
   remember_moving();
-  take_feet_along(scan, R_map_sensor);
+  take_feet_along();
 }
 
-void Mapper::State::separate_ground(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+void Mapper::State::separate_ground() {
   constexpr float kGroundM = 0.1F;
-  ground.fit(scan, projected, R_map_sensor);
-  takes_part.assign(scan.points.size(), 0);
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
-    if (!voxel_of_row[row].exists()) continue;
-    clues[row].ground = ground.height_above(R_map_sensor * scan.points[row]) < kGroundM;
-    takes_part[row] = !clues[row].ground;
-    // Newly seen ground continues known ground.
-    if (clues[row].ground && labels.label[row] == Label::kUncertain) settle(row, Reason::kObjectStands);
-  }
+  ground.fit(upright, projected);
+  ground.heights_above(upright, height_above_ground_m);
+  clues.resize(projected.size());
+  takes_part.resize(projected.size());
+  for_rows(projected.size(), [this](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row) {
+      const bool judged = voxel_of_row[row].exists();
+      clues[row] = RowClues{};
+      clues[row].ground = judged && height_above_ground_m[row] < kGroundM;
+      takes_part[row] = judged && !clues[row].ground;
+      // Newly seen ground continues known ground.
+      if (clues[row].ground && labels.label[row] == Label::kUncertain) settle(row, Reason::kObjectStands);
+    }
+  });
 }
 
 void Mapper::State::find_clues() {
   constexpr int kYoungScans = 10;
-  std::uint32_t last_block = VoxelRef::kNone;
-  CellMask moving_near = 0;
-  for (std::size_t row = 0; row < clues.size(); ++row) {
-    if (clusters.of_row()[row] == Clusters::kNone) continue;
-    const VoxelRef at = voxel_of_row[row];
-    if (at.block != last_block) {
-      last_block = at.block;
-      moving_near = parameters.follow_objects ? near_moving(map.block(at.block).key()) : CellMask{0};
+  std::vector<CellMask> moving_near(hit_blocks.size(), 0);
+  if (parameters.follow_objects && !around_moving.empty())
+    tbb::parallel_for(std::size_t{0}, hit_blocks.size(), [&](std::size_t i) {
+      moving_near[i] = near_moving(map.block(hit_blocks[i].block).key());
+    });
+  for_rows(clues.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row) {
+      if (clusters.of_row()[row] == Clusters::kNone) continue;
+      const VoxelRef at = voxel_of_row[row];
+      clues[row].followed = (moving_near[hit_of_row[row]] & cell_bit(at.place)) != 0;
+      clues[row].established = labels.label[row] == Label::kStatic && voxel_of(at).age >= kYoungScans;
     }
-    const auto place = static_cast<int>(at.place);
-    clues[row].followed = (moving_near & cell_bit(place)) != 0;
-    clues[row].established = labels.label[row] == Label::kStatic && voxel_of(at).age >= kYoungScans;
-  }
+  });
 }
 
-void Mapper::State::count_votes(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+void Mapper::State::count_votes() {
   constexpr float kPatchM = 1.0F;
   object_votes.assign(clusters.count(), Votes{});
   patch_votes.clear();
-  patch_of_row.assign(scan.points.size(), 0);
+  patch_of_row.resize(projected.size());
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> patches;
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+  std::uint64_t last_key = 0;  // neighbouring rows mostly share a patch
+  std::uint32_t last_patch = 0;
+  for (std::size_t row = 0; row < projected.size(); ++row) {
     const std::int32_t object = clusters.of_row()[row];
     if (object == Clusters::kNone) continue;
-    const Eigen::Vector3i cell = (R_map_sensor * scan.points[row] / kPatchM).array().floor().cast<int>();
+    const BlockKey cell(static_cast<int>(std::floor(upright.x_m[row] / kPatchM)),
+                        static_cast<int>(std::floor(upright.y_m[row] / kPatchM)),
+                        static_cast<int>(std::floor(upright.z_m[row] / kPatchM)));
     const std::uint64_t key = packed(cell) ^ BlockKeyHash {}(static_cast<std::uint64_t>(object) + 1);
-    const auto [patch, created] = patches.try_emplace(key, static_cast<std::uint32_t>(patch_votes.size()));
-    if (created) patch_votes.emplace_back();
-    patch_of_row[row] = patch->second;
+    if (patch_votes.empty() || key != last_key) {
+      const auto [patch, created] = patches.try_emplace(key, static_cast<std::uint32_t>(patch_votes.size()));
+      if (created) patch_votes.emplace_back();
+      last_patch = patch->second;
+      last_key = key;
+    }
+    patch_of_row[row] = last_patch;
     object_votes[object].add(labels.label[row], clues[row]);
-    patch_votes[patch->second].add(labels.label[row], clues[row]);
+    patch_votes[last_patch].add(labels.label[row], clues[row]);
   }
 }
 
@@ -119,20 +132,13 @@ void Mapper::State::decide_by_vote() {
 }
 
 // Undecided returns just above the ground, right beside what moves: feet and tyres.
-void Mapper::State::take_feet_along(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+void Mapper::State::take_feet_along() {
   constexpr float kAboveGroundM = 0.04F;
-  std::uint32_t last_block = VoxelRef::kNone;
-  CellMask moving_near = 0;
   for (std::size_t row = 0; row < clues.size(); ++row) {
     if (!clues[row].ground || labels.reason[row] != Reason::kObjectStands) continue;
+    if (!(height_above_ground_m[row] > kAboveGroundM)) continue;
     const VoxelRef at = voxel_of_row[row];
-    if (at.block != last_block) {
-      last_block = at.block;
-      moving_near = near_moving(map.block(at.block).key());
-    }
-    if ((moving_near & cell_bit(static_cast<int>(at.place))) == 0) continue;
-    if (ground.height_above(R_map_sensor * scan.points[row]) > kAboveGroundM)
-      settle(row, Reason::kObjectMoves);
+    if ((near_moving(map.block(at.block).key()) & cell_bit(at.place)) != 0) settle(row, Reason::kObjectMoves);
   }
 }
 

@@ -35,7 +35,7 @@ TEST(Clusters, OnePlateIsOne) {
   const Scan scan = plates({{-6, 6}});
   const ProjectedScan p = projected(scan);
   Clusters clusters;
-  clusters.find(scan, p, kGeometry, all_usable(p));
+  clusters.find(p, kGeometry, all_usable(p));
   EXPECT_EQ(clusters.count(), 1U);
   for (std::size_t row = 0; row < p.size(); ++row)
     EXPECT_EQ(clusters.of_row()[row], p.range_m[row] > 0 ? 0 : Clusters::kNone);
@@ -45,7 +45,7 @@ TEST(Clusters, TwoPlatesApartAreTwo) {
   const Scan scan = plates({{-16, -6}, {6, 16}});
   const ProjectedScan p = projected(scan);
   Clusters clusters;
-  clusters.find(scan, p, kGeometry, all_usable(p));
+  clusters.find(p, kGeometry, all_usable(p));
   ASSERT_EQ(clusters.count(), 2U);
   std::map<bool, std::set<std::int32_t>> of_side;
   for (std::size_t row = 0; row < p.size(); ++row)
@@ -59,7 +59,7 @@ TEST(Clusters, ADepthEdgeParts) {
   const Scan scan = kSensor.scan([](float azimuth, float) { return azimuth > 0 ? 10.0F : 14.0F; });
   const ProjectedScan p = projected(scan);
   Clusters clusters;
-  clusters.find(scan, p, kGeometry, all_usable(p));
+  clusters.find(p, kGeometry, all_usable(p));
   EXPECT_EQ(clusters.count(), 2U);
 }
 
@@ -69,7 +69,7 @@ TEST(Clusters, RowsThatTakeNoPartHaveNone) {
   std::vector<std::uint8_t> use = all_usable(p);
   for (std::size_t row = 0; row < p.size(); ++row) use[row] = use[row] != 0 && p.azimuth_rad[row] > 0;
   Clusters clusters;
-  clusters.find(scan, p, kGeometry, use);
+  clusters.find(p, kGeometry, use);
   EXPECT_EQ(clusters.count(), 1U);
   for (std::size_t row = 0; row < p.size(); ++row)
     EXPECT_EQ(clusters.of_row()[row] != Clusters::kNone, use[row] != 0);
@@ -127,7 +127,7 @@ TEST(Clusters, ConnectAsBruteForceDoes) {
     });
     const ProjectedScan p = projected(scan);
     Clusters clusters;
-    clusters.find(scan, p, kGeometry, all_usable(p));
+    clusters.find(p, kGeometry, all_usable(p));
     const std::vector<int> expected = by_brute_force(scan, p);
     std::map<int, int> found_of, expected_of;
     for (std::size_t row = 0; row < p.size(); ++row) {

@@ -25,30 +25,47 @@ Scan scan_of_ground(const std::function<float(float, float)>& height_m) {
   });
 }
 
+Ground fitted_to(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
+  const ProjectedScan p = projected(scan);
+  UprightRows rows;
+  rows.turn(p, R_map_sensor);
+  Ground ground;
+  ground.fit(rows, p);
+  return ground;
+}
+
+std::vector<float> heights_above(const Ground& ground, const std::vector<Eigen::Vector3f>& points,
+                                 const Eigen::Matrix3f& R_map_sensor) {
+  Scan scan;
+  scan.points = points;
+  UprightRows rows;
+  rows.turn(projected(scan), R_map_sensor);
+  std::vector<float> heights_m;
+  ground.heights_above(rows, heights_m);
+  return heights_m;
+}
+
 /// Mean and largest error of the ground's height, over all returns nearer than 40 m.
 struct Errors {
   double mean_m = 0, largest_m = 0;
 };
 Errors errors(const Ground& ground, const std::function<float(float, float)>& height_m) {
-  Errors errors;
-  int count = 0;
+  std::vector<Eigen::Vector3f> points;
   for (float radius_m = 4; radius_m < 40; radius_m += 0.5F)
     for (float azimuth = -3; azimuth < 3; azimuth += 0.05F) {
       const float x = radius_m * std::cos(azimuth), y = radius_m * std::sin(azimuth);
-      const double error_m = std::abs(ground.height_above({x, y, height_m(x, y)}));
-      errors.mean_m += error_m;
-      errors.largest_m = std::max(errors.largest_m, error_m);
-      ++count;
+      points.emplace_back(x, y, height_m(x, y));
     }
-  errors.mean_m /= count;
+  Errors errors;
+  for (const float error_m : heights_above(ground, points, kUpright)) {
+    errors.mean_m += std::abs(error_m) / static_cast<double>(points.size());
+    errors.largest_m = std::max<double>(errors.largest_m, std::abs(error_m));
+  }
   return errors;
 }
 
 Errors fitted(const std::function<float(float, float)>& height_m) {
-  const Scan scan = scan_of_ground(height_m);
-  Ground ground;
-  ground.fit(scan, projected(scan), kUpright);
-  return errors(ground, height_m);
+  return errors(fitted_to(scan_of_ground(height_m), kUpright), height_m);
 }
 
 TEST(Ground, Level) {
@@ -78,10 +95,12 @@ TEST(Ground, WhatStandsOnItIsNotGround) {
     const float range_m = std::min(wall_m, ground_m);
     return range_m < 70 ? range_m : 0.0F;
   });
-  Ground ground;
-  ground.fit(scan, projected(scan), kUpright);
-  for (float z = -1.4F; z < 0; z += 0.1F) EXPECT_NEAR(ground.height_above({10, 0.3F, z}), z + 1.7F, 0.12F);
-  EXPECT_EQ(ground.height_above({500, 0, 0}), std::numeric_limits<float>::infinity());
+  std::vector<Eigen::Vector3f> points;
+  for (float z = -1.4F; z < 0; z += 0.1F) points.emplace_back(10, 0.3F, z);
+  points.emplace_back(500, 0, 0);
+  const std::vector<float> heights_m = heights_above(fitted_to(scan, kUpright), points, kUpright);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) EXPECT_NEAR(heights_m[i], points[i].z() + 1.7F, 0.12F);
+  EXPECT_EQ(heights_m.back(), std::numeric_limits<float>::infinity());
 }
 
 TEST(Ground, ATiltedSensorSeesTheSameGround) {
@@ -91,18 +110,16 @@ TEST(Ground, ATiltedSensorSeesTheSameGround) {
     const Eigen::Vector3f d = R_map_sensor * direction(azimuth, elevation);
     return d.z() < -0.03F ? -1.7F / d.z() : 0.0F;
   });
-  Ground ground;
-  ground.fit(scan, projected(scan), R_map_sensor);
+  const std::vector<float> heights_m =
+      heights_above(fitted_to(scan, R_map_sensor), scan.points, R_map_sensor);
   for (std::size_t row = 0; row < scan.points.size(); ++row)
     if (scan.points[row].norm() > 1) {
-      EXPECT_LT(std::abs(ground.height_above(R_map_sensor * scan.points[row])), 0.02F);
+      EXPECT_LT(std::abs(heights_m[row]), 0.02F);
     }
 }
 
 TEST(Ground, AnEmptyScanHasOneToo) {
-  Ground ground;
-  ground.fit(Scan{}, projected(Scan{}), kUpright);
-  EXPECT_FLOAT_EQ(ground.height_above({5, 0, 1}), 1);
+  EXPECT_FLOAT_EQ(heights_above(fitted_to(Scan{}, kUpright), {{5, 0, 1}}, kUpright).front(), 1);
 }
 
 }  // namespace
