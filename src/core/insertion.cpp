@@ -1,6 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "mapper_state.hpp"
 #include "vector_clones.hpp"
 
@@ -11,12 +8,7 @@ void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
   find_hit_blocks();
   sort_rows_by_block();
   // Each block has its own rows, in the scan's order.
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), 16), [this](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      if (i + 2 < range.end()) map.block(hit_blocks[i + 2].block).prefetch_voxels();
-      insert_rows(hit_blocks[i]);
-    }
-  });
+  for_each_hit_block([this](HitBlock& hit) { insert_rows(hit); });
   new_voxels.clear();
   for (const HitBlock& hit : hit_blocks)
     for (std::uint32_t i = 0; i < hit.new_count; ++i) new_voxels.push_back(new_rows[hit.first_row + i]);

@@ -1,5 +1,3 @@
-#include <tbb/parallel_for.h>
-
 #include <optional>
 
 #include "mapper_state.hpp"
@@ -9,19 +7,24 @@ namespace stillmap {
 
 void Mapper::State::decide(const ScanView& view) {
   const std::size_t n = voxel_of_row.size();
-  labels.label.assign(n, Label::kInvalid);
+  labels.label.resize(n);
   labels.p_static.assign(n, 0.5F);
-  labels.reason.assign(n, Reason::kNoReturn);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
-    if (voxel_of_row[row].exists()) {
-      labels.p_static[row] = p_static[voxel_of(voxel_of_row[row]).log_odds_fixed];
-      labels.label[row] = decision(labels.p_static[row]);
-      labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);
-    } else if (projected.range_m[row] < 0) {
-      labels.label[row] = Label::kUncertain;
-      labels.reason[row] = Reason::kOutOfRange;
-    }
-  });
+  labels.reason.resize(n);
+  for (std::size_t row = 0; row < n; ++row) {
+    const bool too_far = projected.range_m[row] < 0;
+    labels.label[row] = too_far ? Label::kUncertain : Label::kInvalid;
+    labels.reason[row] = too_far ? Reason::kOutOfRange : Reason::kNoReturn;
+  }
+  for_each_hit_block([&](const HitBlock& hit) { decide_rows(hit, view); });
+}
+
+void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
+  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+    const std::uint32_t row = rows_by_block[hit.first_row + i];
+    labels.p_static[row] = p_static[voxel_of(voxel_of_row[row]).log_odds_fixed];
+    labels.label[row] = decision(labels.p_static[row]);
+    labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);
+  }
 }
 
 Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView& view) const {

@@ -1,6 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "block_projection.hpp"
 #include "mapper_state.hpp"
 
@@ -8,12 +5,7 @@ namespace stillmap {
 
 // Blocks own their voxels and read only what no other block writes: any order gives the same map.
 void Mapper::State::apply_evidence(const ScanView& view) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), 16), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      if (i + 2 < range.end()) map.block(hit_blocks[i + 2].block).prefetch_voxels();
-      judge_hit_block(view, map.block(hit_blocks[i].block));
-    }
-  });
+  for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, map.block(hit.block)); });
   map.find_near(view.origin_map_m, reach_m(), near_tiles);
   tbb::parallel_for(std::size_t{0}, near_tiles.size(),
                     [&](std::size_t i) { judge_tile(view, *near_tiles[i]); });
@@ -59,21 +51,32 @@ Eigen::Vector3f Mapper::State::corner_of(const BlockKey& key, const ScanView& vi
 
 void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen) {
   seen.project(corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
-  CellMask surface = 0;
-  bool surface_known = false;
+  struct Conflict {
+    int place;
+    Voxel* voxel;
+    FusedEvidence evidence;
+  };
+  std::vector<Conflict> conflicts;
+  CellMask seen_through = 0;
   seen.for_each_told(view, models, [&](int place, Voxel& voxel, const Spherical& here) {
     const FusedEvidence evidence = view.evidence(here, models);
-    if (evidence.kind() == Evidence::kUnknown) return;
-    float factor = 1;
-    if (evidence.kind() == Evidence::kConflict) {
-      if (!surface_known) surface = near_standing_surface(block.key());
-      surface_known = true;
-      factor = conflict_factor(voxel, (surface & cell_bit(place)) != 0);
-      voxel.see_through();
-    }
-    const float increment = evidence.increment(voxel.log_odds(), p_static[voxel.log_odds_fixed]);
-    voxel.set_log_odds(recursion(voxel.log_odds(), factor * increment));
+    if (evidence.kind() == Evidence::kSupport) update(voxel, evidence, 1);
+    if (evidence.kind() != Evidence::kConflict) return;
+    conflicts.push_back({place, &voxel, evidence});
+    seen_through |= cell_bit(place);
   });
+  if (conflicts.empty()) return;
+  const CellMask surface = near_standing_surface(block.key(), seen_through);
+  for (const Conflict& conflict : conflicts) {
+    conflict.voxel->see_through();
+    const bool beside_surface = (surface & cell_bit(conflict.place)) != 0;
+    update(*conflict.voxel, conflict.evidence, conflict_factor(*conflict.voxel, beside_surface));
+  }
+}
+
+void Mapper::State::update(Voxel& voxel, const FusedEvidence& evidence, float factor) const {
+  const float increment = evidence.increment(voxel.log_odds(), p_static[voxel.log_odds_fixed]);
+  voxel.set_log_odds(recursion(voxel.log_odds(), factor * increment));
 }
 
 void Mapper::State::support(Voxel& voxel) const {

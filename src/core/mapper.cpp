@@ -75,7 +75,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
     s.ended(Stage::kInsertion);
     s.evidence_of(view);  // eq. (2) to (8) for the voxels known before
     s.ended(Stage::kEvidence);
-    s.replay_history(scan, T_map_sensor);  // the same for the new ones, with earlier scans
+    s.replay_history(T_map_sensor);  // the same for the new ones, with earlier scans
     s.ended(Stage::kReplay);
     s.decide(view);  // eq. (9)
     s.ended(Stage::kDecision);

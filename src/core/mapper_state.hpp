@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tsl/robin_set.h>
 
@@ -92,6 +94,18 @@ struct Mapper::State {
   void insert_rows(HitBlock& hit);
   Voxel& voxel_of(const VoxelRef& ref) { return map.block(ref.block).stored(ref.rank); }
   const Voxel& voxel_of(const VoxelRef& ref) const { return map.block(ref.block).stored(ref.rank); }
+  /// Calls work(hit) for each block that this scan hit, on all threads; voxels are fetched ahead.
+  template <class Work>
+  void for_each_hit_block(Work&& work) {
+    constexpr std::size_t kAtLeast = 16, kAhead = 2;
+    const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        if (i + kAhead < range.end()) map.block(hit_blocks[i + kAhead].block).prefetch_voxels();
+        work(hit_blocks[i]);
+      }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), kAtLeast), some);
+  }
 
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence(const ScanView& view);
@@ -99,6 +113,7 @@ struct Mapper::State {
   void judge_tile(const ScanView& view, const BlockTile& tile);
   void judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen);
   Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
+  void update(Voxel& voxel, const FusedEvidence& evidence, float factor) const;
   void support(Voxel& voxel) const;
   float conflict_factor(const Voxel& voxel, bool beside_surface) const;
 
@@ -106,31 +121,36 @@ struct Mapper::State {
   void apply_evidence_to_nearest(const ScanView& view);
 
   // replay.cpp
-  void replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
-  float replayed_log_odds(const VoxelRef& voxel, const Eigen::Vector3d& point_map_m) const;
+  void replay_history(const Eigen::Isometry3d& T_map_sensor);
+  void replay_history(const Eigen::Isometry3d& T_map_sensor, std::size_t first, std::size_t last);
   float replay_conflict_factor(const VoxelRef& voxel) const;
 
   // neighbourhood.cpp
   void find_known_surface(VoxelBlock& block) const;
-  CellMask near_standing_surface(const BlockKey& key) const;
-  CellMask near_porous(const BlockKey& key) const;
+  CellMask near_standing_surface(const BlockKey& key, CellMask asked) const;
+  CellMask near_porous(const BlockKey& key, CellMask asked) const;
   CellMask near_moving(const BlockKey& key) const;
   void remember_moving();
   std::vector<std::uint32_t> moving_blocks;                   ///< where something moved in the last scans
   tsl::robin_set<std::uint64_t, BlockKeyHash> around_moving;  ///< those and their neighbours, packed keys
+  /// Of the cells that are asked for, those that `cells_of` has set in the block or its neighbours, or right
+  /// beside.
   template <class CellsOf>
-  CellMask near(const BlockKey& key, CellsOf&& cells_of) const {
+  CellMask near(const BlockKey& key, CellMask asked, CellsOf&& cells_of) const {
     std::array<CellMask, 27> around{};
     CellMask any = 0;
     for (int i = 0; i < 27; ++i) {
-      const std::int64_t index = map.find_block(key + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+      const BlockKey step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if ((asked & facing(step.x(), step.y(), step.z())) == 0) continue;
+      const std::int64_t index = map.find_block(key + step);
       if (index >= 0) any |= around[i] = cells_of(map.block(static_cast<std::uint32_t>(index)));
     }
-    return any != 0 ? grown(around) : 0;
+    return any != 0 ? grown(around) & asked : 0;
   }
 
   // labelling.cpp
   void decide(const ScanView& view);
+  void decide_rows(const HitBlock& hit, const ScanView& view);
   Reason reason_of(const VoxelRef& voxel, Label label, const ScanView& view) const;
 
   // objects.cpp, specks.cpp

@@ -24,19 +24,19 @@ void Mapper::State::find_known_surface(VoxelBlock& block) const {
   });
 }
 
-CellMask Mapper::State::near_standing_surface(const BlockKey& key) const {
-  return near(key, [this](const VoxelBlock& b) {
+CellMask Mapper::State::near_standing_surface(const BlockKey& key, CellMask asked) const {
+  return near(key, asked, [this](const VoxelBlock& b) {
     return b.hit_scan + kStandingMemoryScans >= scan_count ? b.standing : CellMask{0};
   });
 }
 
-CellMask Mapper::State::near_porous(const BlockKey& key) const {
-  return near(key, [](const VoxelBlock& b) { return b.porous; });
+CellMask Mapper::State::near_porous(const BlockKey& key, CellMask asked) const {
+  return near(key, asked, [](const VoxelBlock& b) { return b.porous; });
 }
 
 CellMask Mapper::State::near_moving(const BlockKey& key) const {
   if (around_moving.count(packed(key)) == 0) return 0;
-  return near(key, [this](const VoxelBlock& b) {
+  return near(key, ~CellMask{0}, [this](const VoxelBlock& b) {
     return b.moving_scan + kMovingMemoryScans >= scan_count ? b.moving : CellMask{0};
   });
 }

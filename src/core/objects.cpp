@@ -40,17 +40,16 @@ void Mapper::State::separate_ground() {
 
 void Mapper::State::find_clues() {
   constexpr int kYoungScans = 10;
-  std::vector<CellMask> moving_near(hit_blocks.size(), 0);
-  if (parameters.follow_objects && !around_moving.empty())
-    tbb::parallel_for(std::size_t{0}, hit_blocks.size(), [&](std::size_t i) {
-      moving_near[i] = near_moving(map.block(hit_blocks[i].block).key());
-    });
-  for_rows(clues.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) {
+  for_each_hit_block([&](const HitBlock& hit) {
+    const VoxelBlock& block = map.block(hit.block);
+    const CellMask moving_near = parameters.follow_objects ? near_moving(block.key()) : CellMask{0};
+    for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+      const std::uint32_t row = rows_by_block[hit.first_row + i];
       if (clusters.of_row()[row] == Clusters::kNone) continue;
       const VoxelRef at = voxel_of_row[row];
-      clues[row].followed = (moving_near[hit_of_row[row]] & cell_bit(at.place)) != 0;
-      clues[row].established = labels.label[row] == Label::kStatic && voxel_of(at).age >= kYoungScans;
+      clues[row].followed = (moving_near & cell_bit(at.place)) != 0;
+      clues[row].established =
+          labels.label[row] == Label::kStatic && block.stored(at.rank).age >= kYoungScans;
     }
   });
 }

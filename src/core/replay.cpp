@@ -1,37 +1,96 @@
-#include <tbb/parallel_for.h>
+#include <algorithm>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
+#include "vector_clones.hpp"
 
 namespace stillmap {
+namespace {
 
-void Mapper::State::replay_history(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
-  tbb::parallel_for(std::size_t{0}, new_voxels.size(), [&](std::size_t i) {
-    const std::uint32_t row = new_voxels[i];
-    float log_odds = replayed_log_odds(voxel_of_row[row], T_map_sensor * scan.points[row].cast<double>());
-    if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));
-    voxel_of(voxel_of_row[row]).set_log_odds(log_odds);
-  });
+constexpr std::size_t kAtOnce = 1024;
+
+/// New voxels that are judged together, one coordinate after the other.
+struct Batch {
+  std::size_t size = 0;
+  const std::uint32_t* rows;  ///< whose returns made them
+  double x_map_m[kAtOnce], y_map_m[kAtOnce], z_map_m[kAtOnce];
+  float log_odds[kAtOnce];
+  float conflict_factor[kAtOnce];  ///< 0 until the first conflict
+  // As the present one of the earlier scans sees them.
+  float azimuth_rad[kAtOnce], elevation_rad[kAtOnce], range_m[kAtOnce];
+  std::uint8_t told[kAtOnce];
+};
+
+STILLMAP_VECTOR_CLONES void see(Batch& batch, const Eigen::Vector3d& origin_map_m,
+                                const Eigen::Matrix3f& R_sensor_map) {
+  const Eigen::Matrix3f R = R_sensor_map;
+  const double x0 = origin_map_m.x(), y0 = origin_map_m.y(), z0 = origin_map_m.z();
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const auto dx = static_cast<float>(batch.x_map_m[i] - x0);
+    const auto dy = static_cast<float>(batch.y_map_m[i] - y0);
+    const auto dz = static_cast<float>(batch.z_map_m[i] - z0);
+    const float x = R(0, 0) * dx + (R(0, 1) * dy + R(0, 2) * dz);
+    const float y = R(1, 0) * dx + (R(1, 1) * dy + R(1, 2) * dz);
+    const float z = R(2, 0) * dx + (R(2, 1) * dy + R(2, 2) * dz);
+    const float flat = std::sqrt(x * x + y * y);
+    batch.azimuth_rad[i] = fast_atan2(y, x);
+    batch.elevation_rad[i] = fast_atan2(z, flat);
+    batch.range_m[i] = std::sqrt(flat * flat + z * z);
+  }
 }
 
-float Mapper::State::replayed_log_odds(const VoxelRef& voxel, const Eigen::Vector3d& point_map_m) const {
-  float log_odds = 0;
-  float conflict_factor = 0;  // looked up at the first conflict
+}  // namespace
+
+void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, new_voxels.size(), kAtOnce / 2),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t first = range.begin(); first < range.end(); first += kAtOnce)
+                        replay_history(T_map_sensor, first, std::min(range.end(), first + kAtOnce));
+                    });
+}
+
+void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::size_t first,
+                                   std::size_t last) {
+  Batch batch;
+  batch.rows = &new_voxels[first];
+  for (; batch.size < last - first; ++batch.size) {
+    const std::uint32_t row = batch.rows[batch.size];
+    const Eigen::Vector3d point(projected.x_m[row], projected.y_m[row], projected.z_m[row]);
+    const Eigen::Vector3d point_map_m = T_map_sensor * point;
+    batch.x_map_m[batch.size] = point_map_m.x();
+    batch.y_map_m[batch.size] = point_map_m.y();
+    batch.z_map_m[batch.size] = point_map_m.z();
+    batch.log_odds[batch.size] = batch.conflict_factor[batch.size] = 0;
+  }
   history.for_each([&](const ScanView& earlier) {
-    const FusedEvidence evidence = earlier.evidence(earlier.to_sensor(point_map_m), models);
-    if (evidence.kind() == Evidence::kUnknown) return;
+    see(batch, earlier.origin_map_m, earlier.R_sensor_map);
+    earlier.find_told(batch.size, batch.azimuth_rad, batch.elevation_rad, batch.range_m, models, batch.told);
     // What moves slowly was nearly here a moment ago: only older scans speak for the surface.
     const auto age = static_cast<int>(scan_count - earlier.scan_index);
-    const bool support = evidence.kind() == Evidence::kSupport;
-    if (support && age < parameters.replay_support_min_age) return;
-    if (!support && conflict_factor <= 0) conflict_factor = replay_conflict_factor(voxel);
-    log_odds = recursion(log_odds, (support ? 1.0F : conflict_factor) * evidence.increment(log_odds));
+    const bool may_support = age >= parameters.replay_support_min_age;
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      if (batch.told[i] == 0) continue;
+      const FusedEvidence evidence =
+          earlier.evidence(Spherical{batch.azimuth_rad[i], batch.elevation_rad[i], batch.range_m[i]}, models);
+      if (evidence.kind() == Evidence::kUnknown) continue;
+      const bool support = evidence.kind() == Evidence::kSupport;
+      if (support && !may_support) continue;
+      float& factor = batch.conflict_factor[i];
+      if (!support && factor <= 0) factor = replay_conflict_factor(voxel_of_row[batch.rows[i]]);
+      const float log_odds = batch.log_odds[i];
+      batch.log_odds[i] = recursion(log_odds, (support ? 1.0F : factor) * evidence.increment(log_odds));
+    }
   });
-  return log_odds;
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    float log_odds = batch.log_odds[i];
+    if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));
+    voxel_of(voxel_of_row[batch.rows[i]]).set_log_odds(log_odds);
+  }
 }
 
 float Mapper::State::replay_conflict_factor(const VoxelRef& voxel) const {
-  const CellMask porous = near_porous(map.block(voxel.block).key());
-  const bool beside = (porous & cell_bit(static_cast<int>(voxel.place))) != 0;
+  const CellMask here = cell_bit(voxel.place);
+  const bool beside = (near_porous(map.block(voxel.block).key(), here) & here) != 0;
   return beside ? static_cast<float>(parameters.conflict_porous) : 1.0F;
 }
 
