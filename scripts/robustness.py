@@ -42,7 +42,7 @@ CURVES += [(f'pattern, {place}', [(pattern, [place, '--sensor', sensor], 0) for 
 
 def sequence_name(options, dropped, args):
     words = [word.lstrip('-') for word in options] + [f's{args.seed}', f'n{args.scans}']
-    return '_'.join(words + ([f'drop{dropped}'] if dropped else []))
+    return '_'.join(words + ([f'drop{dropped}'] if dropped else [])).replace('.', 'p')  # no file extension
 
 
 def simulate(options, dropped, args, folder):
@@ -136,7 +136,7 @@ def parse():
     parser.add_argument('--stillmap', default='build/devel/lib/stillmap/stillmap', help='the command line of a build')
     parser.add_argument('--seed', type=int, default=23)
     parser.add_argument('--scans', type=int, default=60, help='of each variant')
-    parser.add_argument('--only', default='', help='curves whose name starts so')
+    parser.add_argument('--only', nargs='+', default=[''], help='curves whose name starts so')
     parser.add_argument('--set', action='append', default=[], help='name=value of a parameter')
     return parser.parse_args()
 
@@ -144,7 +144,7 @@ def parse():
 def main():
     args = parse()
     (args.out / 'sequences').mkdir(parents=True, exist_ok=True)
-    curves = [entry for entry in CURVES if entry[0].startswith(args.only)]
+    curves = [entry for entry in CURVES if entry[0].startswith(tuple(args.only))]
     folders = {}
     for _, variants in curves:
         for _, options, dropped in variants:

@@ -35,6 +35,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
       "evidence_goes_to", "every_voxel|nearest_voxel", p.evidence_goes_to,
       "who gets a pixel's evidence: every voxel compares its own range with I_O, or only the pixel's nearest "
       "voxel, I_M");
+  flag("surface_in_voxel", p.surface_in_voxel,
+       "a voxel's own range is that of the mean of its returns; else of its centre");
   flag("hit_is_support", p.hit_is_support,
        "a voxel that this scan hits is supported whatever its pixel says");
   number("support_threshold_m", "m", 0.01, 5.0, p.support_threshold_m_r,
@@ -79,6 +81,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "new surface right behind surface that vanished is the thing that moved there");
   number("speck_size_m", "m", 0.0, 2.0, p.speck_size_m,
          "moving pieces smaller than this on an object that stands are deferred; 0 = off");
+  flag("take_feet_along", p.take_feet_along,
+       "undecided returns just above the ground right beside what moves go with it: feet, tyres");
 
   number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
          "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");

@@ -28,6 +28,7 @@ struct Parameters {
 
   // Evidence, eq. (2), (3).
   std::string evidence_goes_to = "every_voxel";
+  bool surface_in_voxel = true;
   bool hit_is_support = true;
   std::vector<double> support_threshold_m_r = {0.15};
   std::vector<double> conflict_base_m_r = {0.2};
@@ -63,6 +64,7 @@ struct Parameters {
   bool follow_objects = true;
   bool vanish_test = true;
   double speck_size_m = 0.3;
+  bool take_feet_along = true;
 
   // The experiment's structure gates (section 2.1); 0 switches a gate off.
   int gate_voxel_support = 0;

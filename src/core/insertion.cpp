@@ -60,10 +60,12 @@ void Mapper::State::sort_rows_by_block() {
 STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
   VoxelBlock& block = map.block(hit.block);
   block.age(scan_count);
+  const Eigen::Vector3f centre = Eigen::Vector3f::Constant(0.5F);
   const std::uint32_t* rows = &rows_by_block[hit.first_row];
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     bool created = false;
-    block.find_or_create(located.place[rows[i]], created).hit(located.offset(rows[i]));
+    const Eigen::Vector3f offset = parameters.surface_in_voxel ? located.offset(rows[i]) : centre;
+    block.find_or_create(located.place[rows[i]], created).hit(offset);
     if (created) new_rows[hit.first_row + hit.new_count++] = rows[i];
   }
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {

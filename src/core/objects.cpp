@@ -17,7 +17,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   decide_by_vote();
   defer_specks();
   remember_moving();
-  take_feet_along();
+  if (parameters.take_feet_along) take_feet_along();
 }
 
 void Mapper::State::separate_ground() {

@@ -20,6 +20,8 @@ const std::vector<AblationSwitch>& switches() {
       {"objects: do not follow", {{"follow_objects", "false"}}},
       {"objects: no vanish test", {{"vanish_test", "false"}}},
       {"objects: specks stay", {{"speck_size_m", "0"}}},
+      {"objects: feet stay", {{"take_feet_along", "false"}}},
+      {"surface at the centre of its voxel", {{"surface_in_voxel", "false"}}},
       {"conflict beside surface counts in full", {{"conflict_beside_surface", "1"}}},
       {"conflict with porous things counts in full", {{"conflict_porous", "1"}}},
       {"no full support on return", {{"full_support_on_return", "false"}}},
