@@ -83,7 +83,7 @@ def run(words):
 def evaluate(sequences, args):
     """Figures by sequence, from one report over all of them."""
     report = args.out / 'report'
-    run([args.stillmap, 'evaluate', *sequences, '--methods', 'default', '--no-figures', '--out', report,
+    run([args.stillmap, 'evaluate', *sequences, '--methods', 'default', '--brief', '--no-figures', '--out', report,
          *(word for value in args.set for word in ('--set', value))])
     figures = {}
     with open(report / 'scores.csv', newline='', encoding='utf-8') as stream:

@@ -125,6 +125,7 @@ MethodResult run_method(LabelledSequence& sequence, const MethodChoice& choice, 
                  memory.peak_mb()};
   result.settings = method->settings();
 
+  if (options.brief) return result;
   result.map_wise_kept = count_map_wise(sequence, final_verdicts, options.map_voxel_size_m, Uncertain::kKept);
   result.map_wise_dropped =
       count_map_wise(sequence, final_verdicts, options.map_voxel_size_m, Uncertain::kDropped);

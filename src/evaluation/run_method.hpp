@@ -46,6 +46,7 @@ void for_each_pass(const MethodResult& method, Visitor&& visit) {
 }
 
 struct RunOptions {
+  bool brief = false;                   ///< neither map-wise counts nor picture, which take long
   std::size_t delay = 10;               ///< scans until the delayed verdicts; 0 = none
   double map_voxel_size_m = 0.1;        ///< of the map-wise count
   std::size_t picture_points = 70'000;  ///< at most, section 2.1

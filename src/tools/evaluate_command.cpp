@@ -73,6 +73,7 @@ void add_evaluate_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--ablation", job.ablation,
                     "Instead of --methods: the default, and the default without each of its additions");
+  command->add_flag("--brief", job.brief, "Neither map-wise figures nor pictures, which take long");
   command->add_flag("!--no-figures", job.figures, "Tables only");
   add_part_options(*command, job.part);
   command->add_option("--seed", job.part.seed, "Of every random choice")->capture_default_str();

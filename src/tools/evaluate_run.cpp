@@ -127,6 +127,7 @@ void evaluate(const EvaluateJob& job, const Parameters& parameters, const std::s
   RunOptions options;
   options.seed = job.part.seed;
   options.delay = job.delay;
+  options.brief = job.brief;
   std::vector<SequenceResult> results;
   for (const Entry& entry : entries) {
     SequenceResult& result = results.emplace_back();

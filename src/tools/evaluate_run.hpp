@@ -18,6 +18,7 @@ struct EvaluateJob {
   std::vector<std::string> methods;
   std::size_t delay = 10;  ///< scans until the delayed verdicts; 0 = none
   bool ablation = false;
+  bool brief = false;  ///< see RunOptions
   bool figures = true;
   std::string out;
 };

@@ -70,7 +70,7 @@ TEST_F(EvaluateCommandTest, AblationOverAFolderOfSequences) {
   TemporaryFolder all;
   std::filesystem::create_symlink(room.path(), all.path("one"));
   std::filesystem::create_symlink(room.path(), all.path("two"));
-  ASSERT_EQ(evaluate("--ablation --scans 3 --max-points 1000 " + all.path()), 0) << output;
+  ASSERT_EQ(evaluate("--ablation --brief --scans 3 --max-points 1000 " + all.path()), 0) << output;
   for (const char* words : {"| one | full |", "| two | full |", "| two | no replay of earlier scans |"})
     EXPECT_NE(output.find(words), std::string::npos) << words << " is not in " << output;
 }
