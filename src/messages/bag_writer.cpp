@@ -7,6 +7,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "messages/pose_message.hpp"
+
 namespace stillmap {
 namespace {
 
@@ -75,15 +77,7 @@ nav_msgs::Odometry to_odometry(const Frame& frame, const BagTopics& topics) {
   odometry.header.stamp = to_stamp(frame.scan.stamp_ns);
   odometry.header.frame_id = topics.world_frame_id;
   odometry.child_frame_id = topics.sensor_frame_id;
-  const Eigen::Vector3d position = frame.T_map_sensor.translation();
-  const Eigen::Quaterniond rotation(frame.T_map_sensor.linear());
-  odometry.pose.pose.position.x = position.x();
-  odometry.pose.pose.position.y = position.y();
-  odometry.pose.pose.position.z = position.z();
-  odometry.pose.pose.orientation.w = rotation.w();
-  odometry.pose.pose.orientation.x = rotation.x();
-  odometry.pose.pose.orientation.y = rotation.y();
-  odometry.pose.pose.orientation.z = rotation.z();
+  odometry.pose.pose = to_message(frame.T_map_sensor);
   return odometry;
 }
 

@@ -36,6 +36,14 @@ CloudFrame parse_cloud_frame(const std::string& text) {
   throw std::invalid_argument("cloud_frame: '" + text + "' is not one of world|body|sensor");
 }
 
+Eigen::Matrix3d parse_odometry_axes(const std::string& text) {
+  if (text == "ros") return Eigen::Matrix3d::Identity();
+  if (text != "loam") throw std::invalid_argument("odometry_axes: '" + text + "' is not one of ros|loam");
+  Eigen::Matrix3d R_ros_loam;
+  R_ros_loam << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return R_ros_loam;
+}
+
 Eigen::Isometry3d parse_sensor_on_body(const std::string& text) {
   const std::vector<double> n = parse_numbers(text);
   if (n.size() != 6 && n.size() != 7)

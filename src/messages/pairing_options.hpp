@@ -16,12 +16,17 @@ enum class CloudFrame {
 struct PairingOptions {
   CloudFrame cloud_frame = CloudFrame::kWorld;
   Eigen::Isometry3d T_body_sensor = Eigen::Isometry3d::Identity();
+  /// Takes the axes of the odometry's frames to ROS's: x ahead, y left, z up. The map has ROS's axes.
+  Eigen::Matrix3d R_ros_odometry = Eigen::Matrix3d::Identity();
   double max_gap_s = 0.5;       ///< longest time between two odometry messages to interpolate over
   std::size_t queue_size = 10;  ///< clouds that may wait for their pose
 };
 
 /// "world", "body" or "sensor"; throws std::invalid_argument.
 CloudFrame parse_cloud_frame(const std::string& text);
+
+/// "ros", or "loam": x left, y up, z ahead; throws std::invalid_argument.
+Eigen::Matrix3d parse_odometry_axes(const std::string& text);
 
 /// The sensor's place on the body, "x y z roll_deg pitch_deg yaw_deg" or "x y z qx qy qz qw" in metres;
 /// commas and brackets are taken as spaces. Throws std::invalid_argument.

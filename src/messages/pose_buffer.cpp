@@ -5,6 +5,9 @@
 namespace stillmap {
 namespace {
 
+// PCL cuts stamps to microseconds, a double rounds them to a quarter of one: nearer is the same moment.
+constexpr std::int64_t kSameMoment_ns = 2'000;
+
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double t) {
   const Eigen::Vector3d translation = (1 - t) * a.translation() + t * b.translation();
   const Eigen::Quaterniond rotation = Eigen::Quaterniond(a.linear()).slerp(t, Eigen::Quaterniond(b.linear()));
@@ -26,16 +29,17 @@ void PoseBuffer::add(std::int64_t stamp_ns, const Eigen::Isometry3d& T_map_body)
 
 PoseAnswer PoseBuffer::at(std::int64_t stamp_ns, const std::string&) const {
   PoseAnswer answer;
+  const auto same = poses_.lower_bound(stamp_ns - kSameMoment_ns);
+  if (same != poses_.end() && same->first <= stamp_ns + kSameMoment_ns) {
+    answer.kind = PoseAnswer::Kind::kFound;
+    answer.T_map_body = same->second;
+    return answer;
+  }
   const auto after = poses_.lower_bound(stamp_ns);
   if (after == poses_.end()) {
     answer.why = poses_.empty() ? "no odometry has come yet"
                                 : "the newest odometry is " + seconds(stamp_ns - newest_stamp_ns()) +
                                       " older than the cloud";
-    return answer;
-  }
-  answer.kind = PoseAnswer::Kind::kFound;
-  if (after->first == stamp_ns) {
-    answer.T_map_body = after->second;
     return answer;
   }
   answer.kind = PoseAnswer::Kind::kNever;

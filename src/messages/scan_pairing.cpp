@@ -30,10 +30,11 @@ PairedScan to_paired_scan(const sensor_msgs::PointCloud2ConstPtr& cloud, const E
                           const PairingOptions& options) {
   PairedScan paired;
   paired.cloud = cloud;
-  paired.T_map_sensor = T_map_body * options.T_body_sensor;
+  const Eigen::Isometry3d R(options.R_ros_odometry);
+  paired.T_map_sensor = R * T_map_body * R.inverse() * options.T_body_sensor;
   to_scan(*cloud, paired.scan);
-  if (options.cloud_frame == CloudFrame::kWorld) transform(paired.T_map_sensor.inverse(), paired.scan);
-  if (options.cloud_frame == CloudFrame::kBody) transform(options.T_body_sensor.inverse(), paired.scan);
+  if (options.cloud_frame == CloudFrame::kWorld) transform(paired.T_map_sensor.inverse() * R, paired.scan);
+  if (options.cloud_frame == CloudFrame::kBody) transform(options.T_body_sensor.inverse() * R, paired.scan);
   return paired;
 }
 

@@ -21,6 +21,10 @@ void check_tf_frames(const NodeParameters& p, const PairingOptions& options) {
   if (p.fixed_frame.empty())
     throw std::invalid_argument(
         "fixed_frame: needed when odom_topic is empty; give the tf2 frame of the map");
+  if (!options.R_ros_odometry.isIdentity())
+    throw std::invalid_argument(
+        "odometry_axes: must be ros when odom_topic is empty; name frames with z up in fixed_frame and "
+        "body_frame");
   if (!p.body_frame.empty()) return;
   if (options.cloud_frame == CloudFrame::kWorld)
     throw std::invalid_argument(
@@ -41,6 +45,7 @@ PairingOptions check_node_parameters(const NodeParameters& parameters) {
     throw std::invalid_argument("cloud_topic: empty; name the scans' topic");
   PairingOptions options;
   options.cloud_frame = parse_cloud_frame(parameters.cloud_frame);
+  options.R_ros_odometry = parse_odometry_axes(parameters.odometry_axes);
   options.T_body_sensor = parse_sensor_on_body(parameters.sensor_on_body);
   options.max_gap_s = parameters.max_odometry_gap_s;
   options.queue_size = static_cast<std::size_t>(parameters.queue_size);

@@ -10,10 +10,12 @@ namespace stillmap {
 /// What the node takes beside the method's Parameters. Names, units, ranges and meanings stand once, in
 /// visit_node_parameters().
 struct NodeParameters {
+  std::string odometry_preset = "generic";
   std::string cloud_topic = "/cloud_registered";
   std::string odom_topic = "/Odometry";
   std::string cloud_frame = "world";
   std::string sensor_on_body = "0 0 0 0 0 0";
+  std::string odometry_axes = "ros";
   std::string fixed_frame;
   std::string body_frame;
   double max_odometry_gap_s = 0.5;
@@ -35,11 +37,16 @@ void visit_node_parameters(ParametersT& p, Visitor&& visit) {
     visit(ParameterInfo{name, unit, min, max, "", help}, value);
   };
 
+  text("odometry_preset", p.odometry_preset,
+       "the odometry package, a file of config/presets: what it says stands for all parameters not given");
   text("cloud_topic", p.cloud_topic, "the scans, sensor_msgs/PointCloud2");
   text("odom_topic", p.odom_topic, "the poses, nav_msgs/Odometry; empty = tf2");
   text("cloud_frame", p.cloud_frame, "the frame that x, y, z are in: world, body or sensor");
   text("sensor_on_body", p.sensor_on_body, "x y z roll_deg pitch_deg yaw_deg, or x y z qx qy qz qw");
-  text("fixed_frame", p.fixed_frame, "the map's frame; needed with tf2, else empty = the odometry's");
+  text("odometry_axes", p.odometry_axes,
+       "of the odometry's two frames: ros (x ahead, y left, z up) or loam (x left, y up, z ahead)");
+  text("fixed_frame", p.fixed_frame,
+       "the map's frame; needed with tf2, else empty = the odometry's, with loam axes followed by _z_up");
   text("body_frame", p.body_frame, "tf2 frame whose pose is looked up; empty = the cloud's own frame");
   number("max_odometry_gap_s", "s", 0.01, 60.0, p.max_odometry_gap_s,
          "longest time between two odometry messages to interpolate over");

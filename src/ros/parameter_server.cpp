@@ -11,6 +11,7 @@
 
 #include "io/nearest_name.hpp"
 #include "io/parameters_yaml.hpp"
+#include "ros/odometry_presets.hpp"
 
 namespace stillmap {
 namespace {
@@ -103,6 +104,7 @@ NodeSettings load_settings(const ros::NodeHandle& private_nh) {
   try {
     NodeSettings settings;
     settings.method = preset(private_nh.param<std::string>("preset", "default"));
+    apply_odometry_preset(private_nh.param("odometry_preset", settings.node.odometry_preset), settings.node);
     XmlRpcValue all;
     if (private_nh.getParam(where, all) && all.getType() == XmlRpcValue::TypeStruct)
       for (auto& [name, value] : all) set_from_server(settings, name, value);

@@ -33,6 +33,8 @@ ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, const
     odometry_subscriber_ =
         nh.subscribe(parameters.odom_topic, kOdometryInTransit, &ScanInput::on_odometry, this);
   }
+  if (parameters.fixed_frame.empty() && !options.R_ros_odometry.isIdentity())
+    axes_frame_ = std::make_unique<AxesFrame>(options.R_ros_odometry);
   pairing_->set_drop_listener(
       [this](const std::string& reason, const std::string& text) { on_drop(reason, text); });
   cloud_subscriber_ = nh.subscribe(parameters.cloud_topic, kCloudsInTransit, &ScanInput::on_cloud, this);
@@ -51,6 +53,7 @@ void ScanInput::on_odometry(const nav_msgs::OdometryConstPtr& odometry) {
   try {
     pairing_->add_odometry(*odometry);
     odometry_frame_ = without_leading_slash(odometry->header.frame_id);
+    if (axes_frame_) axes_frame_->announce(odometry_frame_);
   } catch (const std::invalid_argument& error) {
     log_.warn("odometry", parameters_.odom_topic + ": a pose is not used: " + error.what() +
                               "; the odometry has failed or fills in its message wrongly");
@@ -132,7 +135,7 @@ std::map<std::string, std::uint64_t> ScanInput::dropped() const {
 std::string ScanInput::fixed_frame() const {
   if (!parameters_.fixed_frame.empty()) return without_leading_slash(parameters_.fixed_frame);
   const std::lock_guard lock(mutex_);
-  return odometry_frame_;
+  return axes_frame_ ? AxesFrame::name_of(odometry_frame_) : odometry_frame_;
 }
 
 }  // namespace stillmap

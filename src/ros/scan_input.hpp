@@ -11,6 +11,7 @@
 #include <string>
 
 #include "messages/scan_pairing.hpp"
+#include "ros/axes_frame.hpp"
 #include "ros/node_parameters.hpp"
 #include "ros/silence_watch.hpp"
 #include "ros/tf_poses.hpp"
@@ -48,8 +49,9 @@ class ScanInput {
   const NodeParameters parameters_;
   const std::string own_prefix_;
   ThrottledLog& log_;
-  std::unique_ptr<TfPoses> tf_poses_;  ///< with tf2 alone
-  mutable std::mutex mutex_;           ///< of all below
+  std::unique_ptr<TfPoses> tf_poses_;      ///< with tf2 alone
+  std::unique_ptr<AxesFrame> axes_frame_;  ///< where the odometry's z is not up and no fixed_frame is given
+  mutable std::mutex mutex_;               ///< of all below
   std::condition_variable arrived_;
   std::unique_ptr<ScanPairing> pairing_;
   std::string odometry_frame_;

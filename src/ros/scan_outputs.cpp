@@ -1,9 +1,12 @@
 #include "ros/scan_outputs.hpp"
 
+#include <nav_msgs/Odometry.h>
+
 #include <boost/make_shared.hpp>
 
 #include "messages/frame_id.hpp"
 #include "messages/labelled_cloud.hpp"
+#include "messages/pose_message.hpp"
 
 namespace stillmap {
 namespace {
@@ -25,6 +28,7 @@ ScanOutputs::ScanOutputs(ros::NodeHandle private_nh, int resolved_delay)
       dynamic_(private_nh.advertise<sensor_msgs::PointCloud2>("dynamic_points", kQueue)),
       uncertain_(private_nh.advertise<sensor_msgs::PointCloud2>("uncertain_points", kQueue)),
       labelled_(private_nh.advertise<sensor_msgs::PointCloud2>("labelled_points", kQueue)),
+      sensor_odometry_(private_nh.advertise<nav_msgs::Odometry>("sensor_odometry", kQueue)),
       status_(private_nh.advertise<Status>("status", kQueue)),
       delayed_(static_cast<std::size_t>(resolved_delay)) {
   if (resolved_delay > 0) resolved_ = private_nh.advertise<sensor_msgs::PointCloud2>("resolved", kQueue);
@@ -53,6 +57,16 @@ void ScanOutputs::publish_resolved(const Delayed::Settled& settled) {
 
 void ScanOutputs::publish(const Status& status) {
   if (status_.getNumSubscribers() > 0) status_.publish(boost::make_shared<Status>(status));
+}
+
+void ScanOutputs::publish(const std_msgs::Header& header, const Eigen::Isometry3d& T_map_sensor,
+                          const std::string& map_frame) {
+  if (sensor_odometry_.getNumSubscribers() == 0) return;
+  const auto odometry = boost::make_shared<nav_msgs::Odometry>();
+  odometry->header.stamp = header.stamp;
+  odometry->header.frame_id = map_frame;
+  odometry->pose.pose = to_message(T_map_sensor);
+  sensor_odometry_.publish(odometry);
 }
 
 }  // namespace stillmap

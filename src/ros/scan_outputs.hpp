@@ -4,6 +4,8 @@
 #include <ros/publisher.h>
 #include <stillmap/Status.h>
 
+#include <string>
+
 #include "messages/scan_pairing.hpp"
 #include "stillmap/delayed_labels.hpp"
 #include "stillmap/types.hpp"
@@ -20,12 +22,15 @@ class ScanOutputs {
   /// When no scan follows: the resolved ones that still wait.
   void publish_waiting(const Mapper& mapper);
   void publish(const Status& status);
+  /// Where the rays of the scan start.
+  void publish(const std_msgs::Header& header, const Eigen::Isometry3d& T_map_sensor,
+               const std::string& map_frame);
 
  private:
   using Delayed = DelayedLabels<PairedScan>;
   void publish_resolved(const Delayed::Settled& settled);
 
-  ros::Publisher static_, dynamic_, uncertain_, labelled_, resolved_, status_;
+  ros::Publisher static_, dynamic_, uncertain_, labelled_, sensor_odometry_, resolved_, status_;
   Delayed delayed_;
 };
 

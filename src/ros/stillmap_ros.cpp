@@ -26,8 +26,9 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
   shared_.mapper.set_listener(&stage_timer_);
   for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
   const NodeParameters& node = settings_.node;
-  ROS_INFO_STREAM("stillmap: " << node.cloud_topic << " (" << node.cloud_frame << ") with "
-                               << (node.odom_topic.empty() ? "tf2" : node.odom_topic));
+  ROS_INFO_STREAM("stillmap: preset " << node.odometry_preset << ": " << node.cloud_topic << " ("
+                                      << node.cloud_frame << ") with "
+                                      << (node.odom_topic.empty() ? "tf2" : node.odom_topic));
   worker_ = std::thread(&StillmapRos::work, this);
 }
 
@@ -57,6 +58,7 @@ void StillmapRos::process(const PairedScan& paired) {
     const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
     const double process_ms = std::chrono::duration<double, std::milli>(Clock::now() - last_scan_).count();
     outputs_.publish(shared_.mapper, paired, labels);
+    outputs_.publish(paired.cloud->header, paired.T_map_sensor, input_.fixed_frame());
     report(paired, labels, process_ms);
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
     log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());

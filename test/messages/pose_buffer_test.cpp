@@ -23,6 +23,18 @@ TEST(PoseBuffer, GivesTheExactPoseOfAnExactStamp) {
   EXPECT_TRUE(answer.T_map_body.matrix() == pose(1, 10).matrix());
 }
 
+// PCL cuts stamps, and doubles round them.
+TEST(PoseBuffer, TwoMicrosecondsAreTheSameMoment) {
+  PoseBuffer buffer(0.5);
+  buffer.add(kTenth_ns, pose(1, 10));
+  for (const std::int64_t off_ns : {-2'000, -999, 999, 2'000}) {
+    const PoseAnswer answer = buffer.at(kTenth_ns + off_ns);
+    EXPECT_EQ(answer.kind, Kind::kFound) << off_ns;
+    EXPECT_TRUE(answer.T_map_body.matrix() == pose(1, 10).matrix()) << off_ns;
+  }
+  EXPECT_EQ(buffer.at(kTenth_ns + 3'000).kind, Kind::kWait);
+}
+
 TEST(PoseBuffer, InterpolatesBetweenNeighboursWhateverTheirOrder) {
   PoseBuffer buffer(0.5);
   buffer.add(2 * kTenth_ns, pose(3, 30));

@@ -32,7 +32,7 @@ class NodeHarness {
  public:
   NodeHarness();
 
-  bool wait_until(const std::function<bool()>& is_so, double patience_s = 30);
+  static bool wait_until(const std::function<bool()>& is_so, double patience_s = 30);
   bool wait_for_connections();
   void publish(const sensor_msgs::PointCloud2& cloud) { cloud_publisher_.publish(cloud); }
   void publish(const nav_msgs::Odometry& odometry) { odometry_publisher_.publish(odometry); }

@@ -45,7 +45,22 @@ TEST(Parameters, AreTakenFromTheServer) {
   EXPECT_EQ(check_node_parameters(settings.node).T_body_sensor.translation().z(), 0.28);
 }
 
+TEST(Parameters, WhatIsGivenGoesBeforeThePreset) {
+  Given given("/given");
+  given.nh.setParam("odometry_preset", "sc_pgo");
+  given.nh.setParam("odom_topic", "/mine");
+  const NodeParameters node = load_settings(given.nh).node;
+  EXPECT_EQ(node.cloud_topic, "/velodyne_cloud_registered_local");
+  EXPECT_EQ(node.cloud_frame, "sensor");
+  EXPECT_EQ(node.max_odometry_gap_s, 3.0);
+  EXPECT_EQ(node.queue_size, 50);
+  EXPECT_EQ(node.odom_topic, "/mine");
+}
+
 TEST(Parameters, AreRefusedByName) {
+  expect_refused("odometry_preset", "alaom",
+                 "odometry_preset: 'alaom' is not one of aloam|dlio|fast_lio|generic|");
+  expect_refused("odometry_axes", "camera", "odometry_axes: 'camera' is not one of ros|loam");
   expect_refused("voxel_size_m", -1.0, "voxel_size_m: -1 is not in [0.02, 2] m");
   expect_refused("voxel_size", 0.1, "/refused: voxel_size: unknown parameter; did you mean voxel_size_m?");
   expect_refused("cloud_topik", "/a", "did you mean cloud_topic?");

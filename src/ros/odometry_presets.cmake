@@ -1,0 +1,10 @@
+# Makes odometry_preset_files.cpp: the files of config/presets as strings. Included by CMakeLists.txt beside this file.
+file(GLOB preset_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/config/presets/*.yaml)
+set(preset_rows "")
+foreach(file ${preset_files})
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND preset_rows "      {\"${name}\", R\"(${text})\"},\n")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+endforeach()
+configure_file(odometry_preset_files.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/odometry_preset_files.cpp @ONLY)
