@@ -10,36 +10,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "messages/bag_topics.hpp"
 #include "messages/scan_pairing.hpp"
 
 namespace stillmap {
 namespace {
-
-void open(rosbag::Bag& bag, const std::string& file) {
-  try {
-    bag.open(file, rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw std::runtime_error(file +
-                             ": the bag has no index (its recording was cut off); run `rosbag reindex`");
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(file + ": not a readable bag: " + error.what());
-  }
-}
-
-std::map<std::string, std::size_t> topics_of_type(rosbag::Bag& bag, const std::string& type) {
-  rosbag::View view(bag, rosbag::TypeQuery(type));
-  std::map<std::string, std::size_t> counts;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) counts[connection->topic];
-  for (auto& [topic, count] : counts) count = rosbag::View(bag, rosbag::TopicQuery(topic)).size();
-  return counts;
-}
-
-std::string list(const std::map<std::string, std::size_t>& topics) {
-  std::string text;
-  for (const auto& [topic, count] : topics)
-    text += (text.empty() ? "" : ", ") + topic + " (" + std::to_string(count) + ")";
-  return text;
-}
 
 /// The topic asked for, or the only one of the type.
 std::string choose_topic(rosbag::Bag& bag, const std::string& asked, const std::string& type,
@@ -50,10 +25,10 @@ std::string choose_topic(rosbag::Bag& bag, const std::string& asked, const std::
   if (!asked.empty()) {
     if (topics.count(asked)) return asked;
     throw std::runtime_error(in_bag + "no topic " + asked + " of type " + type + "; there is " +
-                             list(topics));
+                             to_text(topics));
   }
   if (topics.size() == 1) return topics.begin()->first;
-  throw std::runtime_error(in_bag + "several topics of type " + type + ": " + list(topics) +
+  throw std::runtime_error(in_bag + "several topics of type " + type + ": " + to_text(topics) +
                            "; choose one with " + option);
 }
 
@@ -78,7 +53,7 @@ std::string name_of(std::size_t cloud) {
 
 BagSequence::BagSequence(const std::string& file, const BagInput& input)
     : file_(file), pairing_(input.pairing) {
-  open(bag_, file);
+  open_for_reading(bag_, file);
   const std::string cloud_topic =
       choose_topic(bag_, input.cloud_topic, "sensor_msgs/PointCloud2", "--cloud-topic");
   const std::string odom_topic = choose_topic(bag_, input.odom_topic, "nav_msgs/Odometry", "--odom-topic");

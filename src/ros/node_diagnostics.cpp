@@ -8,12 +8,16 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : updater_(nh, private_nh, private_nh.getNamespace()), last_(Clock::now()) {
   updater_.setHardwareID("none");
   updater_.add("scans", this, &NodeDiagnostics::fill);
+  updater_.add("setup", this, &NodeDiagnostics::fill_setup);
 }
 
-void NodeDiagnostics::update_if_due(const Status& status) {
+void NodeDiagnostics::update_if_due(const Status& status, const std::vector<Finding>& findings,
+                                    std::size_t scans_examined) {
   if (Clock::now() - last_ < std::chrono::seconds(1)) return;
   last_ = Clock::now();
   status_ = status;
+  findings_ = findings;
+  scans_examined_ = scans_examined;
   updater_.force_update();
 }
 
@@ -37,6 +41,17 @@ void NodeDiagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& out) {
   out.add("waiting", status_.waiting);
   for (std::size_t i = 0; i < status_.dropped.size(); ++i)
     out.add("dropped: " + status_.drop_reasons[i], status_.dropped[i]);
+}
+
+void NodeDiagnostics::fill_setup(diagnostic_updater::DiagnosticStatusWrapper& out) {
+  using diagnostic_msgs::DiagnosticStatus;
+  out.add("scans examined", scans_examined_);
+  if (findings_.empty()) {
+    out.summary(DiagnosticStatus::OK, "the doctor found nothing");
+    return;
+  }
+  out.summary(DiagnosticStatus::WARN, findings_.front().check + ": " + findings_.front().text);
+  for (const Finding& finding : findings_) out.add(finding.check, finding.text);
 }
 
 }  // namespace stillmap

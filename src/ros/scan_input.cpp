@@ -9,7 +9,7 @@ namespace stillmap {
 namespace {
 
 constexpr int kCloudsInTransit = 100, kOdometryInTransit = 2000;
-constexpr std::chrono::seconds kLongWait(2);
+constexpr std::chrono::seconds kLongWait(2), kClockPatience(5);
 
 std::string advice(const std::string& reason) {
   if (reason == "queue_full") return "; give more threads, a larger voxel_size_m or queue_size";
@@ -43,6 +43,8 @@ ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, const
 void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   const std::lock_guard lock(mutex_);
   cloud_silence_.heard(Clock::now());
+  cloud_frame_id_ = without_leading_slash(cloud->header.frame_id);
+  ++clouds_;
   pairing_->add_cloud(cloud);
   arrived_.notify_one();
 }
@@ -81,6 +83,7 @@ std::optional<PairedScan> ScanInput::take() {
   } catch (const std::runtime_error& error) {
     log_.warn("unreadable", parameters_.cloud_topic + ": a scan is dropped: " + error.what());
   }
+  if (paired) ++taken_;
   if (paired || pairing_->waiting() == 0) last_taken_ = Clock::now();
   return paired;
 }
@@ -113,6 +116,7 @@ void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subs
 }
 
 void ScanInput::on_drop(const std::string& reason, const std::string& text) {
+  if (reason == "no_pose") why_no_pose_ = text;
   const std::string what = reason == "jumped_back" ? ": " : ": a scan is dropped: ";
   log_.warn(reason, parameters_.cloud_topic + what + text + advice(reason));
 }
@@ -130,6 +134,28 @@ std::size_t ScanInput::waiting() const {
 std::map<std::string, std::uint64_t> ScanInput::dropped() const {
   const std::lock_guard lock(mutex_);
   return pairing_->dropped();
+}
+
+InputFacts ScanInput::facts() const {
+  InputFacts facts;
+  facts.clock_stands =
+      ros::Time::isSimTime() && ros::Time::now().isZero() && Clock::now() - start_ > kClockPatience;
+  const std::lock_guard lock(mutex_);
+  facts.clouds = clouds_;
+  // What waits behind a full queue of work has a pose.
+  const auto dropped = pairing_->dropped();
+  const auto no_pose = dropped.find("no_pose");
+  const bool oldest_waits = !pairing_->waiting_for().empty();
+  facts.answered =
+      clouds_ - (no_pose == dropped.end() ? 0 : no_pose->second) - (oldest_waits ? pairing_->waiting() : 0);
+  facts.why_not = why_no_pose_.empty() ? pairing_->waiting_for() : why_no_pose_;
+  facts.uses_tf = tf_poses_ != nullptr;
+  if (!tf_poses_ || taken_ > 0) return facts;
+  facts.tf_frames = tf_poses_->known_frames();
+  facts.needed_frames = {
+      without_leading_slash(parameters_.fixed_frame),
+      parameters_.body_frame.empty() ? cloud_frame_id_ : without_leading_slash(parameters_.body_frame)};
+  return facts;
 }
 
 std::string ScanInput::fixed_frame() const {

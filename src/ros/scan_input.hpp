@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "doctor/input_facts.hpp"
 #include "messages/scan_pairing.hpp"
 #include "ros/axes_frame.hpp"
 #include "ros/node_parameters.hpp"
@@ -34,6 +35,7 @@ class ScanInput {
 
   std::size_t waiting() const;
   std::map<std::string, std::uint64_t> dropped() const;
+  InputFacts facts() const;
   std::string fixed_frame() const;  ///< the map's, without leading slash
 
  private:
@@ -54,7 +56,9 @@ class ScanInput {
   mutable std::mutex mutex_;               ///< of all below
   std::condition_variable arrived_;
   std::unique_ptr<ScanPairing> pairing_;
-  std::string odometry_frame_;
+  std::string odometry_frame_, cloud_frame_id_, why_no_pose_;
+  std::size_t clouds_ = 0, taken_ = 0;
+  Clock::time_point start_ = Clock::now();
   Clock::time_point last_taken_ = Clock::now();
   SilenceWatch cloud_silence_{last_taken_}, odometry_silence_{last_taken_};
   ros::Subscriber cloud_subscriber_, odometry_subscriber_;

@@ -22,6 +22,7 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       map_outputs_(private_nh, settings_.node.map_period_s),
       services_(private_nh, shared_),
       diagnostics_(nh, private_nh),
+      doctor_(check_node_parameters(settings_.node)),
       input_(nh, settings_.node, private_nh.getNamespace() + "/", log_) {
   shared_.mapper.set_listener(&stage_timer_);
   for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
@@ -60,6 +61,7 @@ void StillmapRos::process(const PairedScan& paired) {
     outputs_.publish(shared_.mapper, paired, labels);
     outputs_.publish(paired.cloud->header, paired.T_map_sensor, input_.fixed_frame());
     report(paired, labels, process_ms);
+    doctor_.look_at(paired, labels);
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
     log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());
   }
@@ -95,7 +97,8 @@ void StillmapRos::between_scans() {
     status_.drop_reasons.push_back(reason);
     status_.dropped.push_back(scans);
   }
-  diagnostics_.update_if_due(status_);
+  doctor_.look_at(input_.facts());
+  diagnostics_.update_if_due(status_, doctor_.findings(), doctor_.scans());
   {
     const std::lock_guard lock(shared_.mutex);
     map_outputs_.publish_if_due(shared_.mapper, input_.fixed_frame());

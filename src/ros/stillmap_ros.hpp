@@ -10,6 +10,7 @@
 #include "ros/map_outputs.hpp"
 #include "ros/map_services.hpp"
 #include "ros/node_diagnostics.hpp"
+#include "ros/node_doctor.hpp"
 #include "ros/parameter_server.hpp"
 #include "ros/scan_input.hpp"
 #include "ros/scan_outputs.hpp"
@@ -42,6 +43,7 @@ class StillmapRos {
   MapOutputs map_outputs_;
   MapServices services_;
   NodeDiagnostics diagnostics_;
+  NodeDoctor doctor_;
   Status status_;
   Clock::time_point last_scan_ = Clock::now();
   ScanInput input_;

@@ -51,4 +51,10 @@ PoseAnswer TfPoses::at(std::int64_t stamp_ns, const std::string& cloud_frame_id)
   return answer;
 }
 
+std::vector<std::string> TfPoses::known_frames() const {
+  std::vector<std::string> frames;
+  buffer_._getFrameStrings(frames);
+  return frames;
+}
+
 }  // namespace stillmap

@@ -4,6 +4,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <string>
+#include <vector>
 
 #include "messages/pose_buffer.hpp"
 
@@ -15,6 +16,7 @@ class TfPoses : public PoseSource {
   /// An empty body_frame is the cloud's own frame.
   TfPoses(const std::string& fixed_frame, const std::string& body_frame);
   PoseAnswer at(std::int64_t stamp_ns, const std::string& cloud_frame_id) const override;
+  std::vector<std::string> known_frames() const;
 
  private:
   std::string fixed_frame_, body_frame_;

@@ -10,6 +10,7 @@
 #include "tools/version.hpp"
 #if STILLMAP_WITH_ROS
 #include "tools/bag_command.hpp"
+#include "tools/doctor_command.hpp"
 #endif
 
 int main(int argc, char** argv) {
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   stillmap::add_parameters_command(app);
 #if STILLMAP_WITH_ROS
   stillmap::add_bag_command(app);
+  stillmap::add_doctor_command(app);
 #endif
   try {
     app.parse(argc, argv);
