@@ -173,7 +173,7 @@ TEST_P(Presets, TheDoctorTellsOfAnotherFrame) {
   const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> keep =
       [&](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
         for (const diagnostic_msgs::DiagnosticStatus& status : array->status)
-          if (status.name == "/stillmap_kiss_icp: setup" &&
+          if (status.name == "stillmap_kiss_icp: setup" &&
               status.level == diagnostic_msgs::DiagnosticStatus::WARN)
             said = status.message;
       };
