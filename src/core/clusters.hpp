@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,18 @@ class Clusters {
   /// Cluster of each row, 0 .. count() - 1, or kNone.
   const std::vector<std::int32_t>& of_row() const { return of_row_; }
   std::size_t count() const { return count_; }
+
+  /// Whether the test holds for one of the rows that took part, up to about two rings above a direction.
+  template <class Test>
+  bool any_above(float azimuth_rad, float elevation_rad, Test&& test) const {
+    const int row = grid_.row(elevation_rad), column = grid_.column(azimuth_rad);
+    for (int c = column - 1; c <= column + 1; ++c)
+      for (int r = std::max(0, row); r <= std::min(grid_.rows - 1, row + 3); ++r) {
+        const std::int32_t above = nearest_row_[(c + grid_.columns) % grid_.columns * grid_.rows + r];
+        if (above != kNone && test(above)) return true;
+      }
+    return false;
+  }
 
  private:
   void place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use);

@@ -92,18 +92,38 @@ float Ground::seed_height() const {
 
 void Ground::walk(int sector, float seed) {
   constexpr float kSlope = 0.18F, kRoughM = 0.15F;
-  float height = seed;
-  int since = 1;
-  for (int ring = 0; ring < kRings; ++ring, ++since) {
-    const int cell = sector * kRings + ring;
-    const float step = kRoughM + kSlope * kRingM * static_cast<float>(std::min(since, 10));
-    const float lowest = lowest_[cell];
-    if (lowest < kNothing && std::abs(lowest - height) <= step) {
-      height = lowest;
-      since = 0;
+  steps_.clear();
+  steps_.push_back({-1, seed});
+  for (int ring = 0; ring < kRings; ++ring) {
+    const float lowest = lowest_[sector * kRings + ring];
+    const Step& last = steps_.back();
+    const float reach = kRoughM + kSlope * kRingM * static_cast<float>(std::min(ring - last.ring, 10));
+    if (lowest < kNothing && std::abs(lowest - last.height_m) <= reach) {
+      steps_.push_back({ring, lowest});
+      forget_bump();
     }
-    height_[cell] = height;
   }
+  float* const height = &height_[sector * kRings];
+  for (std::size_t i = 0; i + 1 < steps_.size(); ++i)
+    for (int ring = steps_[i].ring + 1; ring <= steps_[i + 1].ring; ++ring)
+      height[ring] = between(steps_[i], steps_[i + 1], ring);
+  std::fill(height + steps_.back().ring + 1, height + kRings, steps_.back().height_m);
+}
+
+// The ground goes on behind a thing that stands on it: what rises above the line from the step before to the
+// one behind was a leg, hit between two rings on the ground.
+void Ground::forget_bump() {
+  constexpr float kBumpM = 0.07F;
+  while (steps_.size() >= 3) {
+    const Step &before = *(steps_.end() - 3), &middle = *(steps_.end() - 2), &behind = steps_.back();
+    if (middle.height_m - between(before, behind, middle.ring) <= kBumpM) return;
+    steps_.erase(steps_.end() - 2);
+  }
+}
+
+float Ground::between(const Step& a, const Step& b, int ring) {
+  return a.height_m +
+         (b.height_m - a.height_m) * static_cast<float>(ring - a.ring) / static_cast<float>(b.ring - a.ring);
 }
 
 void Ground::heights_above(const UprightRows& rows, std::vector<float>& height_m) const {

@@ -29,13 +29,21 @@ class Ground {
   void heights_above(const UprightRows& rows, std::vector<float>& height_m) const;
 
  private:
+  struct Step {
+    int ring;
+    float height_m;
+  };
+
   float seed_height() const;
   void walk(int sector, float seed);
+  void forget_bump();
+  static float between(const Step& a, const Step& b, int ring);
   void settle_on_returns(const UprightRows& rows, const ProjectedScan& scan);
 
   std::vector<float> lowest_;  ///< per sector and ring; kNothing = no return
   std::vector<float> height_;  ///< of the ground, for all of them
   std::vector<float> sum_, count_;
+  std::vector<Step> steps_;  ///< of the present sector: where the walk met ground
 };
 
 }  // namespace stillmap

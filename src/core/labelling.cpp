@@ -42,6 +42,7 @@ Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView
 
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
+  constexpr double kOffSurfaceM = 0.02;
   const State& s = *state_;
   const GateSettings gate_values = gate_settings(s.parameters);
   const auto gates =
@@ -49,7 +50,8 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   ScanLabels settled = online;
   for (std::size_t row = 0; row < scan.points.size(); ++row) {
     if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
-    const VoxelKey key = s.map.key_of(T_map_sensor * scan.points[row].cast<double>());
+    const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[row].cast<double>();
+    const VoxelKey key = s.map.key_of(point_map_m);
     const Voxel* voxel = s.map.find(key);
     if (voxel == nullptr) continue;
     const float p_static = s.p_static[voxel->log_odds_fixed];
@@ -61,6 +63,9 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     }
     // Where the map stays undecided, what was said at the scan's own time stands.
     if (label == Label::kUncertain || label == online.label[row]) continue;
+    // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
+    const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
+    if (s.parameters.feet_go_along && online.label[row] == Label::kDynamic && above) continue;
     settled.p_static[row] = p_static;
     settled.label[row] = label;
     settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;

@@ -162,9 +162,12 @@ struct Mapper::State {
   bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
                          const ScanView& view) const;
   void decide_by_vote();
-  void take_feet_along();
   void settle(std::size_t row, Reason reason);
   void defer_specks();
+
+  // feet.cpp
+  void take_feet_along();
+  bool belongs_to_mover(std::int32_t row) const;
 };
 
 }  // namespace stillmap

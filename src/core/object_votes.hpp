@@ -13,6 +13,9 @@ struct RowClues {
   bool vanished = false;     ///< what stood right before it, seen from here, is gone
 };
 
+/// Share of static rows that makes the undecided rest of a patch, of an object, static.
+inline constexpr float kPatchStatic = 0.5F, kObjectStatic = 0.3F;
+
 /// What the rows of an object, or of a patch of one, say together.
 struct Votes {
   int rows = 0, dynamic = 0, is_static = 0;

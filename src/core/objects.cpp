@@ -116,7 +116,6 @@ bool Mapper::State::replaced_vanished(const Eigen::Vector3d& point_map_m, const 
 }
 
 void Mapper::State::decide_by_vote() {
-  constexpr float kPatchStatic = 0.5F, kObjectStatic = 0.3F;
   for (std::size_t row = 0; row < clues.size(); ++row) {
     const std::int32_t object = clusters.of_row()[row];
     const bool just_static = labels.label[row] == Label::kStatic && !clues[row].established;
@@ -127,17 +126,6 @@ void Mapper::State::decide_by_vote() {
     if (just_static && reason != Reason::kReplacedVanished && !object_votes[object].moves_as_a_whole())
       continue;
     settle(row, reason);
-  }
-}
-
-// Undecided returns just above the ground, right beside what moves: feet and tyres.
-void Mapper::State::take_feet_along() {
-  constexpr float kAboveGroundM = 0.04F;
-  for (std::size_t row = 0; row < clues.size(); ++row) {
-    if (!clues[row].ground || labels.reason[row] != Reason::kObjectStands) continue;
-    if (!(height_above_ground_m[row] > kAboveGroundM)) continue;
-    const VoxelRef at = voxel_of_row[row];
-    if ((near_moving(map.block(at.block).key()) & cell_bit(at.place)) != 0) settle(row, Reason::kObjectMoves);
   }
 }
 

@@ -1,0 +1,35 @@
+#include "mapper_state.hpp"
+
+namespace stillmap {
+
+// Feet and tyres share their voxels with the ground, which stands. What rises a little above it right below a
+// moving thing is not the ground.
+void Mapper::State::take_feet_along() {
+  constexpr float kLowestM = 0.02F, kHighestM = 0.3F;  // above the ground
+  constexpr float kBesideM = 0.25F;
+  for (std::size_t row = 0; row < clues.size(); ++row) {
+    if (!voxel_of_row[row].exists() || labels.label[row] == Label::kDynamic) continue;
+    const float height_m = height_above_ground_m[row];
+    if (height_m <= kLowestM || height_m >= kHighestM) continue;
+    const auto moves_right_above = [&](std::int32_t above) {
+      const float dx_m = upright.x_m[above] - upright.x_m[row], dy_m = upright.y_m[above] - upright.y_m[row];
+      return labels.label[above] == Label::kDynamic && dx_m * dx_m + dy_m * dy_m < kBesideM * kBesideM &&
+             belongs_to_mover(above);
+    };
+    if (clusters.any_above(projected.azimuth_rad[row], projected.elevation_rad[row], moves_right_above))
+      settle(row, Reason::kObjectMoves);
+  }
+}
+
+// A few dynamic returns of a tuft of grass have no feet.
+bool Mapper::State::belongs_to_mover(std::int32_t row) const {
+  const std::int32_t object = clusters.of_row()[row];
+  if (object == Clusters::kNone) return false;
+  const auto moves = [](Reason verdict) {
+    return verdict == Reason::kObjectMoves || verdict == Reason::kReplacedVanished;
+  };
+  return moves(object_votes[object].verdict(kObjectStatic)) ||
+         moves(patch_votes[patch_of_row[row]].verdict(kPatchStatic));
+}
+
+}  // namespace stillmap
