@@ -35,9 +35,11 @@ Reason Votes::verdict(float static_share) const {
 }
 
 bool Votes::moves_as_a_whole() const {
-  constexpr float kMajority = 0.5F, kNone = 0.05F;
-  return established <= kNone * static_cast<float>(rows) &&
-         dynamic >= kMajority * static_cast<float>(dynamic + is_static);
+  constexpr float kNone = 0.05F, kMajority = 0.5F, kNearlyAll = 0.8F;
+  const auto all = static_cast<float>(rows);
+  if (static_cast<float>(established) > kNone * all) return false;
+  return dynamic >= kMajority * static_cast<float>(dynamic + is_static) ||
+         (followed >= kFew && followed >= kNearlyAll * all);
 }
 
 }  // namespace stillmap

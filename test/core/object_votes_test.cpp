@@ -38,6 +38,8 @@ TEST(Votes, MovesAsAWhole) {
   EXPECT_TRUE((Votes{100, 30, 30, 5, 0, 0, 0}.moves_as_a_whole()));
   EXPECT_FALSE((Votes{100, 29, 30, 0, 0, 0, 0}.moves_as_a_whole())) << "no majority";
   EXPECT_FALSE((Votes{100, 30, 30, 6, 0, 0, 0}.moves_as_a_whole())) << "a part of it is long known";
+  EXPECT_TRUE((Votes{100, 0, 90, 5, 80, 0, 0}.moves_as_a_whole())) << "it goes where something moved";
+  EXPECT_FALSE((Votes{100, 0, 90, 5, 79, 0, 0}.moves_as_a_whole())) << "only in part";
 }
 
 TEST(Votes, AddCountsARowAndItsClues) {
