@@ -79,12 +79,10 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "an object where something moved in the last scans goes on moving");
   flag("vanish_test", p.vanish_test,
        "new surface right behind surface that vanished is the thing that moved there");
-  flag("feet_go_along", p.feet_go_along,
-       "what rises a little above the ground right below something that moves goes with it");
   number("speck_size_m", "m", 0.0, 2.0, p.speck_size_m,
          "moving pieces smaller than this on an object that stands are deferred; 0 = off");
   flag("take_feet_along", p.take_feet_along,
-       "undecided returns just above the ground right beside what moves go with it: feet, tyres");
+       "what rises a little above the ground right below something that moves goes with it");
 
   number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
          "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");

@@ -63,7 +63,6 @@ struct Parameters {
   bool resolve_objects = true;
   bool follow_objects = true;
   bool vanish_test = true;
-  bool feet_go_along = true;
   double speck_size_m = 0.3;
   bool take_feet_along = true;
 

@@ -65,7 +65,7 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     if (label == Label::kUncertain || label == online.label[row]) continue;
     // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
     const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
-    if (s.parameters.feet_go_along && online.label[row] == Label::kDynamic && above) continue;
+    if (s.parameters.take_feet_along && online.label[row] == Label::kDynamic && above) continue;
     settled.p_static[row] = p_static;
     settled.label[row] = label;
     settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;

@@ -81,7 +81,7 @@ Parameters preset(const std::string& name) {
   p.conflict_beside_surface = p.conflict_porous = 1;
   p.full_support_on_return = false;
   p.resolve_objects = false;
-  p.feet_go_along = false;
+  p.take_feet_along = false;
   p.gate_voxel_support = 3;  // section 2.1
   p.gate_neighbourhood_support = 60;
   p.gate_grid_support = 12;

@@ -19,7 +19,6 @@ const std::vector<AblationSwitch>& switches() {
       {"no objects and surfaces", {{"resolve_objects", "false"}}},
       {"objects: do not follow", {{"follow_objects", "false"}}},
       {"objects: no vanish test", {{"vanish_test", "false"}}},
-      {"objects: feet stay", {{"feet_go_along", "false"}}},
       {"objects: specks stay", {{"speck_size_m", "0"}}},
       {"objects: feet stay", {{"take_feet_along", "false"}}},
       {"surface at the centre of its voxel", {{"surface_in_voxel", "false"}}},
