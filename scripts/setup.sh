@@ -16,7 +16,7 @@ packages=(
   librostest-dev python3-rostest python3-rosunit libgtest-dev
   # Other libraries
   libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev robin-map-dev
-  zlib1g-dev
+  libzstd-dev zlib1g-dev
   # Figures
   python3-matplotlib python3-numpy
   # Tools of the scripts

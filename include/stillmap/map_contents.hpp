@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "stillmap/cell_mask.hpp"
@@ -39,7 +40,22 @@ void for_each_voxel(BlockT& block, Visitor&& visit) {
 /// What breaks the rules of BlockContents, in words; empty when nothing does.
 const char* problem(const BlockContents& block);
 
-/// The voxels' places, log-odds and labels, in the contents' order.
-MapSnapshot snapshot_of(const MapContents& map, const Decision& decision);
+/// The block `scans` scans after it was as given.
+BlockContents aged(BlockContents block, std::uint32_t scans);
+
+/// Appends the voxels of a block of the snapshot's voxel size.
+void append(MapSnapshot& snapshot, const BlockContents& block, const Decision& decision);
+
+/// A map that is given piece by piece, so that it never need be in memory as a whole.
+struct MapPieces {
+  std::int64_t stamp_ns = 0;  ///< of the newest scan in it
+  double voxel_size_m = 0;
+  std::function<bool(std::vector<BlockContents>&)> next;  ///< appends some blocks; false = there are no more
+};
+/// The contents as one piece; they must live as long.
+MapPieces pieces_of(const MapContents& map);
+
+/// The voxels' places, log-odds and labels, in the pieces' order.
+MapSnapshot snapshot_of(const MapPieces& map, const Decision& decision);
 
 }  // namespace stillmap

@@ -20,8 +20,7 @@ struct SnapshotVoxel {
 struct MapSnapshot {
   std::int64_t stamp_ns = 0;  ///< of the newest scan in it
   double voxel_size_m = 0;
-  std::vector<SnapshotVoxel>
-      voxels;  ///< in the order in which the map met their blocks, then by place in the block
+  std::vector<SnapshotVoxel> voxels;  ///< tile by tile; in a block by place
 };
 using MapSnapshotPtr = std::shared_ptr<const MapSnapshot>;
 

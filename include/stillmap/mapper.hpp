@@ -6,6 +6,7 @@
 #include "stillmap/map_contents.hpp"
 #include "stillmap/map_snapshot.hpp"
 #include "stillmap/parameters.hpp"
+#include "stillmap/tile_store.hpp"
 #include "stillmap/types.hpp"
 
 namespace stillmap {
@@ -40,19 +41,27 @@ class Mapper {
   /// Judges the points of an earlier scan by the map as it is now. `online` is what process() said then.
   ScanLabels relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanLabels& online) const;
 
+  /// The map in memory: all of it, or with rolling_radius_m what lies within.
   MapSnapshotPtr snapshot() const;
-  /// The complete state of the map, and the way back: imported blocks replace those at the same place, the
-  /// others stay. Throws std::invalid_argument when the voxel size differs or a block has a problem(); the
-  /// map then is as it was.
+  /// The complete state of the map in memory, and the way back: imported blocks replace those at the same
+  /// place, the others stay. Throws std::invalid_argument when the voxel size differs or a block has a
+  /// problem(); the map then is as it was.
   MapContents export_map() const;
   void import_map(const MapContents& contents);
-  std::size_t voxel_count() const;
-  std::size_t scan_count() const;  ///< processed since the start or the last reset()
-  void reset();                    ///< forgets map, history and sensor geometry
+  /// The same tile by tile; a tile that is not in memory has no blocks.
+  std::vector<TileKey> tiles() const;
+  std::vector<BlockContents> export_tile(const TileKey& key) const;
+
+  std::size_t voxel_count() const;  ///< in memory
+  std::int64_t stamp_ns() const;    ///< of the newest scan
+  std::size_t scan_count() const;   ///< processed since the start or the last reset()
+  void reset();                     ///< forgets map, tile store, history and sensor geometry
 
   const Parameters& parameters() const;
   const Decision& decision() const;            ///< its two thresholds, eq. (9)
   void set_listener(StageListener* listener);  ///< not owned; nullptr = none
+  /// Where tiles go that are farther than rolling_radius_m. Not owned; nullptr = they are forgotten.
+  void set_tile_store(TileStore* store);
 
  private:
   struct State;

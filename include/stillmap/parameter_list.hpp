@@ -15,6 +15,9 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   const auto choice = [&](const char* name, const char* options, auto& value, const char* help) {
     visit(ParameterInfo{name, "", 0, 0, options, help}, value);
   };
+  const auto text = [&](const char* name, auto& value, const char* help) {
+    visit(ParameterInfo{name, "", 0, 0, "", help}, value);
+  };
   const auto flag = [&](const char* name, auto& value, const char* help) {
     visit(ParameterInfo{name, "", 0, 1, "", help}, value);
   };
@@ -92,6 +95,13 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
          "and its vertical grid column holds fewer points; 0 = off");
   number("gate_height_above_ground_m", "m", 0.0, 10.0, p.gate_height_above_ground_m,
          "and it lies higher above the local ground; 0 = off");
+
+  number("rolling_radius_m", "m", 0.0, 100000.0, p.rolling_radius_m,
+         "the map within it, seen from above, stays in memory; 0 = all of it, else at least max_range_m");
+  text("rolling_directory", p.rolling_directory,
+       "folder for what lies farther, which is read back on return; empty = it is forgotten");
+  number("rolling_disk_mb", "MB", 1, 10000000, p.rolling_disk_mb,
+         "size of that folder; beyond, what was written longest ago is removed");
 
   number("threads", "", 1, 64, p.threads, "worker threads; the labels do not depend on it");
 }

@@ -11,7 +11,7 @@ struct ParameterInfo {
   const char* unit;
   double min;           ///< smallest value (numbers, and each element of a list)
   double max;           ///< largest value
-  const char* options;  ///< "a|b|c" for a choice, else empty
+  const char* options;  ///< "a|b|c" for a choice; empty for a number or any text
   const char* help;     ///< meaning, with the paper's symbol
 };
 
@@ -71,6 +71,11 @@ struct Parameters {
   int gate_neighbourhood_support = 0;
   int gate_grid_support = 0;
   double gate_height_above_ground_m = 0.0;
+
+  // The rolling map.
+  double rolling_radius_m = 0.0;
+  std::string rolling_directory;
+  int rolling_disk_mb = 10000;
 
   int threads = 1;
 };

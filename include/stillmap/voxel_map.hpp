@@ -133,7 +133,11 @@ class VoxelMap {
   std::size_t block_count() const { return blocks_.size(); }
   VoxelBlock& block(std::uint32_t index) { return blocks_[index]; }
   const VoxelBlock& block(std::uint32_t index) const { return blocks_[index]; }
-  std::size_t voxel_count() const;
+  std::size_t voxel_count() const { return voxel_count_; }
+  /// To be told of each voxel that was made in a block.
+  void count_created(std::size_t voxels) { voxel_count_ += voxels; }
+  /// Puts a block in as of `scan`, over the one with its key.
+  void restore(const BlockContents& contents, std::uint32_t scan);
 
   /// All tiles of which some part, seen from above, lies within `reach_m` of a place; always in the same
   /// order. Valid until the next block is made.
@@ -146,12 +150,29 @@ class VoxelMap {
   }
   void erase_tile(const TileKey& key);
 
+  /// Calls visit(key) for each tile, of the map or not, of which some part seen from above lies within
+  /// `reach_m`; for none around a place that no voxel can have.
+  template <class Visitor>
+  void for_each_tile_near(const Eigen::Vector3d& center_map_m, double reach_m, Visitor&& visit) const {
+    const double tile_m = block_size_m() * kTileEdge, reach = reach_m / tile_m;
+    const Eigen::Array2d center = center_map_m.head<2>().array() / tile_m;
+    if (!((center_map_m.array().abs() * inverse_) < kVoxelKeyLimit).all()) return;
+    const Eigen::Array2i first = (center - reach).floor().cast<int>();
+    const Eigen::Array2i last = (center + reach).floor().cast<int>();
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int x = first.x(); x <= last.x(); ++x) {
+        const Eigen::Array2d corner(x, y), nearest = center.max(corner).min(corner + 1);
+        if ((center - nearest).matrix().squaredNorm() <= reach * reach) visit(TileKey(x, y));
+      }
+  }
+
  private:
   double voxel_size_m_, inverse_;
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> index_;
   tsl::robin_map<std::uint64_t, BlockTile, BlockKeyHash> tiles_;
   std::deque<VoxelBlock> blocks_;
   std::vector<std::uint32_t> free_;  ///< indices of erased blocks
+  std::size_t voxel_count_ = 0;
 };
 
 }  // namespace stillmap

@@ -12,6 +12,7 @@ void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
   new_voxels.clear();
   for (const HitBlock& hit : hit_blocks)
     for (std::uint32_t i = 0; i < hit.new_count; ++i) new_voxels.push_back(new_rows[hit.first_row + i]);
+  map.count_created(new_voxels.size());
 }
 
 void Mapper::State::find_hit_blocks() {

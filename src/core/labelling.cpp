@@ -43,7 +43,8 @@ Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
   constexpr double kOffSurfaceM = 0.02;
-  const State& s = *state_;
+  State& s = *state_;  // the map stays what it is; the tiles around the scan are opened
+  s.rolling.move_to(T_map_sensor.translation(), s.scan_count);
   const GateSettings gate_values = gate_settings(s.parameters);
   const auto gates =
       gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;

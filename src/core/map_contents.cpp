@@ -1,5 +1,7 @@
 #include "stillmap/map_contents.hpp"
 
+#include <algorithm>
+
 #include "stillmap/log_odds.hpp"
 
 namespace stillmap {
@@ -14,20 +16,35 @@ const char* problem(const BlockContents& block) {
   return occupied == block.voxels.size() ? "" : "a block's voxels do not match their places";
 }
 
-MapSnapshot snapshot_of(const MapContents& map, const Decision& decision) {
-  MapSnapshot snapshot;
-  snapshot.stamp_ns = map.stamp_ns;
-  snapshot.voxel_size_m = map.voxel_size_m;
-  std::size_t voxels = 0;
-  for (const BlockContents& block : map.blocks) voxels += block.voxels.size();
-  snapshot.voxels.reserve(voxels);
-  for (const BlockContents& block : map.blocks)
-    for_each_voxel(block, [&](int place, const Voxel& voxel) {
-      const Eigen::Vector3d center =
-          (voxel_key(block.key, place).cast<double>().array() + 0.5) * map.voxel_size_m;
-      const float log_odds = voxel.log_odds();
-      snapshot.voxels.push_back({center.cast<float>(), log_odds, decision(p_from_log_odds(log_odds))});
-    });
+BlockContents aged(BlockContents block, std::uint32_t scans) {
+  for (Voxel& voxel : block.voxels) {
+    voxel.idle = static_cast<std::uint8_t>(std::min(255U, voxel.idle + scans));
+    voxel.age = static_cast<std::uint8_t>(std::min(255U, voxel.age + scans));
+  }
+  return block;
+}
+
+void append(MapSnapshot& snapshot, const BlockContents& block, const Decision& decision) {
+  for_each_voxel(block, [&](int place, const Voxel& voxel) {
+    const Eigen::Vector3d center =
+        (voxel_key(block.key, place).cast<double>().array() + 0.5) * snapshot.voxel_size_m;
+    const float log_odds = voxel.log_odds();
+    snapshot.voxels.push_back({center.cast<float>(), log_odds, decision(p_from_log_odds(log_odds))});
+  });
+}
+
+MapPieces pieces_of(const MapContents& map) {
+  return {map.stamp_ns, map.voxel_size_m, [&map, given = false](std::vector<BlockContents>& blocks) mutable {
+            if (given) return false;
+            blocks.insert(blocks.end(), map.blocks.begin(), map.blocks.end());
+            return given = true;
+          }};
+}
+
+MapSnapshot snapshot_of(const MapPieces& map, const Decision& decision) {
+  MapSnapshot snapshot{map.stamp_ns, map.voxel_size_m, {}};
+  for (std::vector<BlockContents> blocks; map.next(blocks); blocks.clear())
+    for (const BlockContents& block : blocks) append(snapshot, block, decision);
   return snapshot;
 }
 

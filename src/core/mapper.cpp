@@ -8,6 +8,8 @@
 namespace stillmap {
 namespace {
 
+/// relabel() looks at columns so far around a return (structure_gates.cpp).
+constexpr double kColumnsAround_m = 4.0;
 constexpr float kRad = 0.01745329252F;
 
 Recursion recursion_of(const Parameters& p) {
@@ -51,6 +53,7 @@ Mapper::State::State(const Parameters& p)
       decision{static_cast<float>(p.p_static_min), static_cast<float>(p.p_dynamic_max)},
       geometry(given_geometry(p)),
       map(p.voxel_size_m),
+      rolling(map, reach_m() + kColumnsAround_m, p.rolling_radius_m),
       own_hit(hit_evidence(models)),
       history(p.history_recent, p.history_spread),
       arena(p.threads),
@@ -71,6 +74,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
   s.arena.execute([&] {
     ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
     s.ended(Stage::kRangeImage);
+    s.rolling.move_to(T_map_sensor.translation(), s.scan_count);
     s.insert(T_map_sensor);
     s.ended(Stage::kInsertion);
     s.evidence_of(view);  // eq. (2) to (8) for the voxels known before
@@ -106,7 +110,10 @@ void Mapper::State::evidence_of(const ScanView& view) {
 }
 
 std::size_t Mapper::voxel_count() const {
-  return state_->map.voxel_count();
+  return state_->rolling.voxel_count();
+}
+std::int64_t Mapper::stamp_ns() const {
+  return state_->stamp_ns;
 }
 std::size_t Mapper::scan_count() const {
   return state_->scan_count;
@@ -121,10 +128,17 @@ void Mapper::set_listener(StageListener* listener) {
   state_->listener = listener;
 }
 
+void Mapper::set_tile_store(TileStore* store) {
+  state_->rolling.set_store(store);
+}
+
 void Mapper::reset() {
-  StageListener* listener = state_->listener;
+  StageListener* const listener = state_->listener;
+  TileStore* const store = state_->rolling.store();
   state_ = std::make_unique<State>(Parameters(state_->parameters));
   state_->listener = listener;
+  state_->rolling.set_store(store);
+  if (store != nullptr) store->clear();
 }
 
 }  // namespace stillmap

@@ -11,6 +11,7 @@
 #include "located_rows.hpp"
 #include "object_votes.hpp"
 #include "probability_table.hpp"
+#include "rolling_map.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
@@ -46,7 +47,8 @@ struct Mapper::State {
   Decision decision;
   ProbabilityTable p_static;
   GeometryEstimator geometry;
-  VoxelMap map;
+  VoxelMap map;        ///< what a scan can touch
+  RollingMap rolling;  ///< all of it
   FusedEvidence own_hit;
   ScanHistory history;
   tbb::task_arena arena;

@@ -36,7 +36,7 @@ struct RangeCheck {
     for (const double value : values) number(info, value);
   }
   void operator()(const ParameterInfo& info, const std::string& value) {
-    if (!is_option(value, info.options))
+    if (*info.options != '\0' && !is_option(value, info.options))
       found.push_back(std::string(info.name) + ": '" + value + "' is not one of " + info.options);
   }
 };
@@ -64,6 +64,8 @@ std::vector<std::string> problems(const Parameters& parameters) {
   check_levels(parameters, check.found);
   if (parameters.min_range_m >= parameters.max_range_m)
     check.found.push_back("min_range_m: not below max_range_m");
+  if (parameters.rolling_radius_m > 0 && parameters.rolling_radius_m < parameters.max_range_m)
+    check.found.push_back("rolling_radius_m: below max_range_m; give 0 (off) or at least that");
   return check.found;
 }
 

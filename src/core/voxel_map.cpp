@@ -22,9 +22,7 @@ void VoxelBlock::age(std::uint32_t scan) {
 }
 
 BlockContents VoxelBlock::contents(std::uint32_t scan) const {
-  VoxelBlock copy = *this;
-  copy.age(scan);
-  return {key_, porous, occupied_, std::move(copy.voxels_)};
+  return aged({key_, porous, occupied_, voxels_}, scan - aged_scan_);
 }
 
 void VoxelBlock::restore(const BlockContents& contents, std::uint32_t scan) {
@@ -54,19 +52,9 @@ std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
 void VoxelMap::find_near(const Eigen::Vector3d& center_map_m, double reach_m,
                          std::vector<const BlockTile*>& tiles) const {
   tiles.clear();
-  const double tile_m = block_size_m() * kTileEdge;
-  const Eigen::Array2d center = center_map_m.head<2>().array() / tile_m;
-  const double reach = reach_m / tile_m;
-  const Eigen::Array2i first = (center - reach).floor().cast<int>(),
-                       last = (center + reach).floor().cast<int>();
-  for (int y = first.y(); y <= last.y(); ++y)
-    for (int x = first.x(); x <= last.x(); ++x) {
-      const Eigen::Array2d corner(x, y);
-      const Eigen::Array2d nearest = center.max(corner).min(corner + 1);
-      const BlockTile* const here = tile({x, y});
-      if (here == nullptr || (center - nearest).matrix().squaredNorm() > reach * reach) continue;
-      tiles.push_back(here);
-    }
+  for_each_tile_near(center_map_m, reach_m, [&](const TileKey& key) {
+    if (const BlockTile* const here = tile(key)) tiles.push_back(here);
+  });
 }
 
 void VoxelMap::erase_tile(const TileKey& key) {
@@ -74,16 +62,18 @@ void VoxelMap::erase_tile(const TileKey& key) {
   if (it == tiles_.end()) return;
   for (const BlockEntry& entry : it->second) {
     index_.erase(packed(entry.key));
+    voxel_count_ -= blocks_[entry.index].size();
     blocks_[entry.index] = VoxelBlock(BlockKey::Zero());
     free_.push_back(entry.index);
   }
   tiles_.erase(it);
 }
 
-std::size_t VoxelMap::voxel_count() const {
-  std::size_t count = 0;
-  for (const VoxelBlock& block : blocks_) count += block.size();
-  return count;
+void VoxelMap::restore(const BlockContents& contents, std::uint32_t scan) {
+  VoxelBlock& block = blocks_[find_or_create_block(contents.key)];
+  voxel_count_ -= block.size();
+  block.restore(contents, scan);
+  voxel_count_ += block.size();
 }
 
 }  // namespace stillmap

@@ -9,7 +9,7 @@
 
 namespace stillmap {
 
-void save_map(const MapContents& map, const Decision& decision, const std::string& path) {
+void save_map(const MapPieces& map, const Decision& decision, const std::string& path) {
   if (std::filesystem::path(path).extension() == ".stillmap") return write_map_archive(map, path);
   save_map(snapshot_of(map, decision), path);
 }

@@ -40,6 +40,10 @@ T convert(const YAML::Node& node) {
   return node.as<T>();
 }
 template <>
+std::string convert(const YAML::Node& node) {
+  return node.IsNull() ? std::string() : node.as<std::string>();
+}
+template <>
 std::vector<double> convert(const YAML::Node& node) {
   if (node.IsScalar()) return {node.as<double>()};
   return node.as<std::vector<double>>();
@@ -109,7 +113,7 @@ std::string to_text(bool value) {
   return value ? "true" : "false";
 }
 std::string to_text(const std::string& value) {
-  return value;
+  return value.empty() ? "\"\"" : value;
 }
 std::string to_text(const std::vector<double>& values) {
   std::string text = "[";

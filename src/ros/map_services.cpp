@@ -5,14 +5,15 @@
 #include <stdexcept>
 
 #include "io/map_file.hpp"
+#include "io/whole_map.hpp"
 #include "stillmap/log_odds.hpp"
 
 namespace stillmap {
 namespace {
 
-std::size_t count_static(const MapContents& map, const Decision& decision) {
+std::size_t count_static(const std::vector<BlockContents>& blocks, const Decision& decision) {
   std::size_t count = 0;
-  for (const BlockContents& block : map.blocks)
+  for (const BlockContents& block : blocks)
     for (const Voxel& voxel : block.voxels)
       count += decision(p_from_log_odds(voxel.log_odds())) == Label::kStatic;
   return count;
@@ -30,14 +31,19 @@ MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : sha
 std::string MapServices::save(const std::string& path) {
   std::unique_lock lock(shared_.mutex);
   const std::size_t scan_count = shared_.mapper.scan_count();
-  const MapContents map = shared_.mapper.export_map();
   const Decision decision = shared_.mapper.decision();
   lock.unlock();
-  const std::size_t static_voxels = count_static(map, decision);
-  if (static_voxels == 0)
-    throw std::runtime_error(path + ": not written, the map has no static voxel after " +
-                             std::to_string(scan_count) + " scans");
   const std::lock_guard file_lock(file_mutex_);
+  MapPieces map = whole_map(shared_.mapper, shared_.far_tiles.get(), shared_.mutex);
+  std::size_t static_voxels = 0;
+  map.next = [&, next = std::move(map.next)](std::vector<BlockContents>& blocks) {
+    const bool is_piece = next(blocks);
+    if (is_piece) static_voxels += count_static(blocks, decision);
+    if (!is_piece && static_voxels == 0)
+      throw std::runtime_error(path + ": not written, the map has no static voxel after " +
+                               std::to_string(scan_count) + " scans");
+    return is_piece;
+  };
   save_map(map, decision, path);
   return path + ": map of " + std::to_string(static_voxels) + " static voxels after " +
          std::to_string(scan_count) + " scans";

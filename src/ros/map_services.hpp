@@ -7,6 +7,7 @@
 #include <std_srvs/Trigger.h>
 #include <stillmap/SaveMap.h>
 
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -17,6 +18,7 @@ namespace stillmap {
 /// The mapper, for the worker and the services: whoever uses it holds the mutex.
 struct SharedMapper {
   std::mutex mutex;
+  std::unique_ptr<TileStore> far_tiles;  ///< nullptr = none are kept; needs no mutex
   Mapper mapper;
 };
 

@@ -4,10 +4,16 @@
 
 #include <stdexcept>
 
+#include "io/tile_folder.hpp"
+
 namespace stillmap {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience(100);
+
+void warn(const std::string& message) {
+  ROS_WARN_STREAM(message);
+}
 
 std::size_t judged(const LabelCounts& counts) {
   return counts.uncertain + counts.is_static + counts.dynamic;
@@ -17,7 +23,7 @@ std::size_t judged(const LabelCounts& counts) {
 
 StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : settings_(load_settings(private_nh)),
-      shared_{{}, Mapper(settings_.method)},
+      shared_{{}, open_tile_folder(settings_.method, warn), Mapper(settings_.method)},
       outputs_(private_nh, settings_.node.resolved_delay),
       map_outputs_(private_nh, settings_.node.map_period_s),
       services_(private_nh, shared_),
@@ -25,6 +31,7 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       doctor_(check_node_parameters(settings_.node)),
       input_(nh, settings_.node, private_nh.getNamespace() + "/", log_) {
   shared_.mapper.set_listener(&stage_timer_);
+  shared_.mapper.set_tile_store(shared_.far_tiles.get());
   for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
   const NodeParameters& node = settings_.node;
   ROS_INFO_STREAM("stillmap: preset " << node.odometry_preset << ": " << node.cloud_topic << " ("

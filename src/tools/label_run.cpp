@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <mutex>
 #include <stdexcept>
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "io/read_ahead.hpp"
+#include "io/tile_folder.hpp"
+#include "io/whole_map.hpp"
 #include "stillmap/delayed_labels.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/label_store.hpp"
@@ -63,6 +68,10 @@ const ScanLabels& process(Mapper& mapper, const Frame& frame, EngineClock& clock
   }
 }
 
+void say(const std::string& message) {
+  std::cerr << "stillmap: " << message << std::endl;
+}
+
 /// Writes a pass's labels and counts them.
 class PassWriter {
  public:
@@ -87,8 +96,11 @@ void label_sequence(Sequence& sequence, const Parameters& parameters, const Labe
   prepare_folder(out / "final");
   fs::remove(out / "summary.json");
 
+  const auto far_tiles = open_tile_folder(parameters, say);
   Mapper mapper(parameters);
-  EngineClock clock;
+  mapper.set_tile_store(far_tiles.get());
+  ReadAhead reader(sequence, indices);
+  EngineClock clock([&reader] { return reader.cpu_ms(); });
   mapper.set_listener(&clock);
   RunSummary summary;
   LabelStore store(job.out);
@@ -97,8 +109,8 @@ void label_sequence(Sequence& sequence, const Parameters& parameters, const Labe
       final(out / "final", summary.final);
 
   ProgressBar online_bar("labelling", indices.size());
-  for (const std::size_t index : indices) {
-    Frame frame = sequence.read(index);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    Frame frame = reader.next();
     const ScanLabels& labels = process(mapper, frame, clock);
     online.write(frame.name, labels);
     if (job.final_labels) store.append(labels);
@@ -112,14 +124,17 @@ void label_sequence(Sequence& sequence, const Parameters& parameters, const Labe
 
   if (job.final_labels) {
     ProgressBar final_bar("by the final map", indices.size());
+    ReadAhead again(sequence, indices);
     for (std::size_t k = 0; k < indices.size(); ++k) {
-      const Frame frame = sequence.read(indices[k]);
+      const Frame frame = again.next();
       final.write(frame.name, mapper.relabel(frame.scan, frame.T_map_sensor, store.read(k)));
       final_bar.advance();
     }
   }
 
-  save_map(*mapper.snapshot(), (out / "static_map.pcd").string());
+  std::mutex nobody_else;
+  save_map(whole_map(mapper, far_tiles.get(), nobody_else), mapper.decision(),
+           (out / "static_map.pcd").string());
   summary.voxels = mapper.voxel_count();
   write_summary((out / "summary.json").string(), summary, clock, parameters);
 }

@@ -67,19 +67,23 @@ double peak_rss_mb() {
 
 }  // namespace
 
+double EngineClock::cpu_now_ms() const {
+  return now_ms(CLOCK_PROCESS_CPUTIME_ID) - (others_cpu_ms_ ? others_cpu_ms_() : 0);
+}
+
 void EngineClock::start_scan() {
   scan_wall_ms_ = now_ms(CLOCK_MONOTONIC);
-  scan_cpu_ms_ = stage_began_ms_ = now_ms(CLOCK_PROCESS_CPUTIME_ID);
+  scan_cpu_ms_ = stage_began_ms_ = cpu_now_ms();
 }
 
 void EngineClock::stage_ended(Stage stage) {
-  const double now = now_ms(CLOCK_PROCESS_CPUTIME_ID);
+  const double now = cpu_now_ms();
   stage_cpu_ms_[static_cast<int>(stage)] += now - stage_began_ms_;
   stage_began_ms_ = now;
 }
 
 void EngineClock::end_scan() {
-  cpu_ms_.push_back(now_ms(CLOCK_PROCESS_CPUTIME_ID) - scan_cpu_ms_);
+  cpu_ms_.push_back(cpu_now_ms() - scan_cpu_ms_);
   wall_ms_.push_back(now_ms(CLOCK_MONOTONIC) - scan_wall_ms_);
 }
 

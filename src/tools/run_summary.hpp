@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace stillmap {
 /// CPU time (all threads) and wall time of the engine alone.
 class EngineClock : public StageListener {
  public:
+  /// `others_cpu_ms` is what threads beside the engine have taken so far: it is left out.
+  explicit EngineClock(std::function<double()> others_cpu_ms = nullptr)
+      : others_cpu_ms_(std::move(others_cpu_ms)) {}
   void start_scan();
   void end_scan();
   void stage_ended(Stage stage) override;
@@ -20,6 +24,9 @@ class EngineClock : public StageListener {
   const std::array<double, kStageCount>& stage_cpu_ms() const { return stage_cpu_ms_; }  ///< all scans
 
  private:
+  double cpu_now_ms() const;
+
+  std::function<double()> others_cpu_ms_;
   double scan_cpu_ms_ = 0, scan_wall_ms_ = 0, stage_began_ms_ = 0;
   std::vector<double> cpu_ms_, wall_ms_;
   std::array<double, kStageCount> stage_cpu_ms_{};

@@ -28,7 +28,8 @@ struct Spoil {
     if constexpr (std::is_same_v<Value, int>)
       if (std::isfinite(bad(info))) value = static_cast<int>(bad(info)), name = info.name;
     if constexpr (std::is_same_v<Value, std::vector<double>>) value.back() = bad(info), name = info.name;
-    if constexpr (std::is_same_v<Value, std::string>) value = "nonsense", name = info.name;
+    if constexpr (std::is_same_v<Value, std::string>)
+      if (*info.options != '\0') value = "nonsense", name = info.name;
   }
 };
 
@@ -63,6 +64,16 @@ TEST(Parameters, PaperIsTheLiteralReading) {
   EXPECT_EQ(p.gate_grid_support, 12);
   EXPECT_EQ(p.gate_height_above_ground_m, 0.6);
   EXPECT_EQ(p.history_recent + p.history_spread, 0);
+}
+
+TEST(Parameters, TheRollingMapIsNotSmallerThanAScan) {
+  Parameters p;
+  p.rolling_radius_m = 50;
+  EXPECT_EQ(problems(p),
+            std::vector<std::string>{"rolling_radius_m: below max_range_m; give 0 (off) or at least that"});
+  p.rolling_radius_m = p.max_range_m;
+  p.rolling_directory = "any text";
+  EXPECT_TRUE(problems(p).empty());
 }
 
 TEST(Parameters, UnknownPresetIsRefused) {

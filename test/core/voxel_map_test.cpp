@@ -16,7 +16,10 @@ namespace {
 using PlainMap = std::map<std::tuple<int, int, int>, int>;
 
 Voxel& find_or_create(VoxelMap& map, const VoxelKey& key, bool& created) {
-  return map.block(map.find_or_create_block(block_key(key))).find_or_create(place_in_block(key), created);
+  Voxel& voxel =
+      map.block(map.find_or_create_block(block_key(key))).find_or_create(place_in_block(key), created);
+  map.count_created(created);
+  return voxel;
 }
 
 /// Random keys, near each other so that blocks fill up, on both sides of zero.
@@ -89,6 +92,7 @@ TEST(VoxelMap, AnErasedTileIsGoneAndItsIndicesAreUsedAgain) {
   for (int x = -kTileEdge; x < kTileEdge; ++x) {  // two tiles
     const std::uint32_t index = map.find_or_create_block({x, 3, x});
     map.block(index).find_or_create(x & 63, created).hit(Eigen::Vector3f::Zero());
+    map.count_created(created);
     map.block(index).hit_scan = 5;
     if (x < 0) gone.push_back(index);
   }

@@ -65,7 +65,7 @@ void expect_equal(const MapContents& a, const MapContents& b) {
 TEST(MapArchive, GivesBackEveryBitOfEveryVoxel) {
   const TemporaryFolder folder;
   for (const MapContents& map : {random_map(0, 0), random_map(1, 1), random_map(900, 512)}) {
-    write_map_archive(map, folder.path("a.stillmap"));
+    write_map_archive(pieces_of(map), folder.path("a.stillmap"));
     const MapContents read = read_map_archive(folder.path("a.stillmap"));
     expect_equal(read, map);
     for (std::size_t b = 0; b < map.blocks.size(); ++b)
@@ -88,7 +88,7 @@ TEST(MapArchive, IsLittleEndianOnEveryMachine) {
   voxel.seen_through = 6;
   voxel.came_back = 1;
   add_voxel(block, 511, voxel);
-  write_map_archive(map, folder.path("a.stillmap"));
+  write_map_archive(pieces_of(map), folder.path("a.stillmap"));
   const std::string file = read_text(folder.path("a.stillmap"));
   EXPECT_EQ(file.substr(0, 12), std::string("STILLMAP\1\0\0\0", 12));
   EXPECT_EQ(file.substr(20, 8), "\x08\x07\x06\x05\x04\x03\x02\x01");
@@ -99,7 +99,7 @@ TEST(MapArchive, IsLittleEndianOnEveryMachine) {
 
 TEST(MapArchive, RefusesEveryTruncation) {
   const TemporaryFolder folder;
-  write_map_archive(random_map(2, 5), folder.path("a.stillmap"));
+  write_map_archive(pieces_of(random_map(2, 5)), folder.path("a.stillmap"));
   const std::string whole = read_text(folder.path("a.stillmap"));
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes)
     expect_error([&] { read_map_archive(folder.write("b.stillmap", whole.substr(0, bytes))); },
@@ -108,7 +108,7 @@ TEST(MapArchive, RefusesEveryTruncation) {
 
 TEST(MapArchive, RefusesEveryFlippedBitAndWhatFollowsTheEnd) {
   const TemporaryFolder folder;
-  write_map_archive(random_map(2, 3), folder.path("a.stillmap"));
+  write_map_archive(pieces_of(random_map(2, 3)), folder.path("a.stillmap"));
   const std::string whole = read_text(folder.path("a.stillmap"));
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::string damaged = whole;
@@ -120,7 +120,7 @@ TEST(MapArchive, RefusesEveryFlippedBitAndWhatFollowsTheEnd) {
 
 TEST(MapArchive, RefusesCountsBeforeItMakesRoomForThem) {
   const TemporaryFolder folder;
-  write_map_archive(random_map(1, 1), folder.path("a.stillmap"));
+  write_map_archive(pieces_of(random_map(1, 1)), folder.path("a.stillmap"));
   const std::string whole = read_text(folder.path("a.stillmap"));
   for (const std::size_t at : {32u, 36u}) {  // the section's blocks and its bytes
     std::string damaged = whole;
@@ -134,7 +134,7 @@ TEST(MapArchive, RefusesForeignFilesAndOtherVersions) {
   for (const std::string text : {"", "VERSION 0.7\nFIELDS x y z\n", "stillmap as it is not written"})
     expect_error([&] { read_map_archive(folder.write("b.stillmap", text)); }, {"not a .stillmap file"});
   expect_error([&] { read_map_archive(folder.path("none.stillmap")); }, {"none.stillmap", "No such file"});
-  write_map_archive(random_map(1, 1), folder.path("a.stillmap"));
+  write_map_archive(pieces_of(random_map(1, 1)), folder.path("a.stillmap"));
   std::string other = read_text(folder.path("a.stillmap"));
   other[8] = 9;
   expect_error([&] { read_map_archive(folder.write("b.stillmap", other)); }, {"format 9", "format 1"});
@@ -156,7 +156,7 @@ Mapper drive(std::size_t scans, Mapper mapper = Mapper(preset("default")), std::
 TEST(MapArchive, AMapperGetsItsMapBack) {
   const TemporaryFolder folder;
   const Mapper mapper = drive(8);
-  save_map(mapper.export_map(), mapper.decision(), folder.path("map.stillmap"));
+  save_map(pieces_of(mapper.export_map()), mapper.decision(), folder.path("map.stillmap"));
   Mapper again(preset("default"));
   again.import_map(read_map_archive(folder.path("map.stillmap")));
   expect_equal(again.export_map(), mapper.export_map());
@@ -169,7 +169,7 @@ TEST(MapArchive, AMapperGetsItsMapBack) {
 
 TEST(MapArchive, TheSnapshotOfTheContentsIsTheMappersOwn) {
   const Mapper mapper = drive(4);
-  const MapSnapshot ours = snapshot_of(mapper.export_map(), mapper.decision());
+  const MapSnapshot ours = snapshot_of(pieces_of(mapper.export_map()), mapper.decision());
   const MapSnapshotPtr its = mapper.snapshot();
   ASSERT_EQ(ours.voxels.size(), its->voxels.size());
   for (std::size_t i = 0; i < ours.voxels.size(); ++i) {
