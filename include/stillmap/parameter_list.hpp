@@ -100,7 +100,7 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
          "the map within it, seen from above, stays in memory; 0 = all of it, else at least max_range_m");
   text("rolling_directory", p.rolling_directory,
        "folder for what lies farther, which is read back on return; empty = it is forgotten");
-  number("rolling_disk_mb", "MB", 1, 10000000, p.rolling_disk_mb,
+  number("rolling_disk_mb", "MB", 1, 500000, p.rolling_disk_mb,
          "size of that folder; beyond, what was written longest ago is removed");
 
   number("threads", "", 1, 64, p.threads, "worker threads; the labels do not depend on it");

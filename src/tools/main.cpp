@@ -7,6 +7,7 @@
 #include "tools/label_command.hpp"
 #include "tools/parameters_command.hpp"
 #include "tools/simulate_command.hpp"
+#include "tools/soak_command.hpp"
 #include "tools/version.hpp"
 #if STILLMAP_WITH_ROS
 #include "tools/bag_command.hpp"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   stillmap::add_label_command(app);
   stillmap::add_simulate_command(app);
+  stillmap::add_soak_command(app);
   stillmap::add_evaluate_command(app);
   stillmap::add_inject_command(app);
   stillmap::add_parameters_command(app);

@@ -1,0 +1,68 @@
+// `stillmap soak`, briefly: the same checks as the long drive of scripts/soak.sh.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "io/semantickitti_writer.hpp"
+#include "simulation/simulator.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace stillmap {
+namespace {
+
+struct Run {
+  int code = -1;
+  std::string output;
+};
+
+Run soak(const std::string& arguments) {
+  Run run;
+  std::FILE* const pipe = popen((STILLMAP_EXECUTABLE " soak " + arguments + " 2>&1").c_str(), "r");
+  char buffer[256];
+  while (std::fgets(buffer, sizeof(buffer), pipe) != nullptr) run.output += buffer;
+  run.code = WEXITSTATUS(pclose(pipe));
+  return run;
+}
+
+class SoakCommand : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kLap = 40;
+
+  SoakCommand() {
+    SimulationOptions options;
+    options.scene = "street";
+    options.sensor = "vlp16";
+    options.ego_speed_mps = 15;
+    options.scans = kLap;
+    const Simulator simulator(options);
+    SemanticKittiWriter writer(lap);
+    for (std::size_t k = 0; k < kLap; ++k) {
+      const SimulatedFrame scan = simulator.frame(k);
+      writer.write(scan.frame, scan.intensity, scan.labels, scan.labels_now);
+    }
+  }
+
+  const TemporaryFolder folder;
+  const std::string lap = folder.path("street");
+};
+
+TEST_F(SoakCommand, WithARollingMapCostAndMemoryAreFlat) {
+  const Run run = soak(lap + " --scans 400 --set max_range_m=30 --set rolling_radius_m=40" +
+                       " --set rolling_directory=" + folder.path("far") +
+                       " --most-mb 250 --most-mb-per-km 20 --most-cost-ratio 1.3");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_NE(run.output.find("     400    0.594 "), std::string::npos) << run.output;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("far/run_000001")));
+}
+
+TEST_F(SoakCommand, WhatIsNotBoundedFails) {
+  const Run memory = soak(lap + " --most-mb 1");
+  EXPECT_EQ(memory.code, 1);
+  EXPECT_NE(memory.output.find("memory, MB: "), std::string::npos) << memory.output;
+  const Run cost = soak(lap + " --most-cost-ratio 0.1");
+  EXPECT_EQ(cost.code, 1);
+  EXPECT_NE(cost.output.find("is more than 0.1"), std::string::npos) << cost.output;
+}
+
+}  // namespace
+}  // namespace stillmap
