@@ -43,21 +43,24 @@ struct Driver {
 
 /// The way travelled, with memory over it.
 struct Way {
-  double km = 0, mb = 0, most_mb = 0, half_way_km = 0, half_way_mb = 0;
+  std::size_t scans = 0;
+  double km = 0, mb = 0, most_mb = 0, weighed_km = 0, half_way_km = 0, half_way_mb = 0;
   Eigen::Vector3d place_map_m = Eigen::Vector3d::Zero();
 
-  void go_on(const Frame& frame, bool is_first, bool is_half) {
+  void go_on(const Frame& frame) {
     const Eigen::Vector3d next = frame.T_map_sensor.translation();
-    if (!is_first) km += (next - place_map_m).norm() * 1e-3;
+    if (scans++ > 0) km += (next - place_map_m).norm() * 1e-3;
     place_map_m = next;
+  }
+  void weigh(bool is_half) {
     mb = resident_mb();
     most_mb = std::max(most_mb, mb);
-    if (is_half) {
-      half_way_km = km;
-      half_way_mb = mb;
-    }
+    weighed_km = km;
+    if (!is_half) return;
+    half_way_km = km;
+    half_way_mb = mb;
   }
-  double mb_per_km() const { return (mb - half_way_mb) / std::max(1e-6, km - half_way_km); }
+  double mb_per_km() const { return (mb - half_way_mb) / std::max(1e-6, weighed_km - half_way_km); }
 };
 
 /// The newest `scans` scans.
@@ -98,7 +101,8 @@ void soak(Sequence& lap, const Parameters& parameters, const SoakJob& job) {
   for (std::size_t k = 0; k < scans; ++k) {
     const Frame frame = sequence.read(k);
     const double this_old_ms = old.drive(frame);
-    if (k < young_from) way.go_on(frame, k == 0, k == young_from / 2);
+    way.go_on(frame);
+    if (k < young_from) way.weigh(k == young_from / 2);  // later there are two maps
     if ((k + 1) % row_every == 0) print_row(k + 1, way, old, row_every);
     if (k < young_from) continue;
     const double this_young_ms = young.drive(frame);
