@@ -60,10 +60,9 @@ class RangeImage {
     const Span span = spans_[pixel];
     return {span.nearest * step_m_, span.farthest * step_m_};
   }
-  /// For n places at once: marks[i] becomes 1 where the farthest return in that direction reaches to the
-  /// place, less epsilon_m, or beyond.
-  void mark_reached(std::size_t n, const float* azimuth_rad, const float* elevation_rad, const float* range_m,
-                    float epsilon_m, std::uint8_t* marks) const;
+  /// at() of n directions at once; 0 where there is no return.
+  void at(std::size_t n, const float* azimuth_rad, const float* elevation_rad, float* nearest_m,
+          float* farthest_m) const;
   /// Nearest and farthest return of all pixels within `half_angle_rad` of a direction, and of some more
   /// around: whatever lies there was measured inside this span.
   MeasuredRange around(float azimuth_rad, float elevation_rad, float half_angle_rad) const;

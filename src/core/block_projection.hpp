@@ -19,7 +19,7 @@ class BlockProjection {
 
   /// `corner_sensor_m` is the block's low corner.
   void project(const Eigen::Vector3f& corner_sensor_m, const ScanView& view, float voxel_m);
-  /// Calls visit(place, voxel, spherical) for each voxel that the scan does not hide at all levels.
+  /// Calls visit(place, voxel, spherical) for each voxel that the scan supports or contradicts.
   template <class Visitor>
   void for_each_told(const ScanView& view, const std::vector<LevelModel>& models, Visitor&& visit) {
     view.find_told(size_, azimuth_rad_, elevation_rad_, range_m_, models, told_);

@@ -17,7 +17,7 @@ struct Step {
 constexpr std::array<Step, 10> kSteps = {
     {{0, 1}, {0, 2}, {1, -2}, {1, -1}, {1, 0}, {1, 1}, {1, 2}, {2, -1}, {2, 0}, {2, 1}}};
 
-/// Pointers into the image: one coordinate of some pixels in a row.
+/// The nearest returns of some pixels of a column, one coordinate after the other.
 struct Pixels {
   const float *x_m, *y_m, *z_m, *range_m;
 };
@@ -49,7 +49,10 @@ void Clusters::find(const ProjectedScan& scan, SensorGeometry geometry,
                         scan.elevation_min_rad, scan.elevation_max_rad);
   reach_per_m_ = 1.2F * std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
   place_rows(scan, use);
-  tbb::parallel_for(0, grid_.columns, [this](int column) { link_column(column); });
+  links_.resize(grid_.size());
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, grid_.columns, 64),
+      [this](const tbb::blocked_range<int>& columns) { link_columns(columns.begin(), columns.end()); });
   join_links();
   name_clusters(scan);
 }
@@ -61,39 +64,51 @@ void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint
     for (std::size_t row = first; row < last; ++row)
       pixel_of_row_[row] = use[row] != 0 ? pixel_of_row_[row] : -1;
   });
-  nearest_row_.assign(grid_.size(), kNone);
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  nearest_.assign(grid_.size(), {kNaN, kNaN, kNaN, kInfinity});
   for (std::size_t row = 0; row < scan.size(); ++row) {
     if (pixel_of_row_[row] < 0) continue;
-    std::int32_t& nearest = nearest_row_[pixel_of_row_[row]];
-    if (nearest == kNone || scan.range_m[row] < scan.range_m[nearest])
-      nearest = static_cast<std::int32_t>(row);
+    Return& nearest = nearest_[pixel_of_row_[row]];
+    if (scan.range_m[row] < nearest.range_m)
+      nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row]};
   }
-  constexpr float kNoReturn = std::numeric_limits<float>::quiet_NaN();
-  links_.resize(grid_.size());
-  for (auto* plane : {&image_.x_m, &image_.y_m, &image_.z_m, &image_.range_m}) plane->resize(grid_.size());
-  for_rows(grid_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t pixel = first; pixel < last; ++pixel) {
-      const std::int32_t row = nearest_row_[pixel];
-      image_.x_m[pixel] = row < 0 ? kNoReturn : scan.x_m[row];
-      image_.y_m[pixel] = row < 0 ? kNoReturn : scan.y_m[row];
-      image_.z_m[pixel] = row < 0 ? kNoReturn : scan.z_m[row];
-      image_.range_m[pixel] = row < 0 ? kNoReturn : scan.range_m[row];
-    }
-  });
 }
 
-void Clusters::link_column(int column) {
-  const auto at = [this](int pixel) {
-    return Pixels{&image_.x_m[pixel], &image_.y_m[pixel], &image_.z_m[pixel], &image_.range_m[pixel]};
+void Clusters::link_columns(int first, int last) {
+  // Three columns one coordinate after the other: this one and the next two.
+  const auto rows = static_cast<std::size_t>(grid_.rows);
+  std::vector<float> planes(3 * 4 * rows);
+  const auto plane = [&](int column, std::size_t coordinate) {
+    return &planes[(static_cast<std::size_t>(column % 3) * 4 + coordinate) * rows];
   };
-  const int here = column * grid_.rows;
-  std::fill_n(&links_[here], grid_.rows, std::uint16_t{0});
-  for (std::size_t k = 0; k < kSteps.size(); ++k) {
-    const int there = (column + kSteps[k].columns) % grid_.columns * grid_.rows;
-    const int first = std::max(0, -kSteps[k].rows), last = grid_.rows - std::max(0, kSteps[k].rows);
-    if (first >= last) continue;
-    link(static_cast<std::size_t>(last - first), at(here + first), at(there + first + kSteps[k].rows),
-         reach_per_m_, static_cast<std::uint16_t>(1U << k), &links_[here + first]);
+  const auto load = [&](int column) {
+    const Return* returns = &nearest_[static_cast<std::size_t>(column % grid_.columns) * rows];
+    float *x = plane(column, 0), *y = plane(column, 1), *z = plane(column, 2), *range = plane(column, 3);
+    for (std::size_t row = 0; row < rows; ++row) {
+      x[row] = returns[row].x_m;
+      y[row] = returns[row].y_m;
+      z[row] = returns[row].z_m;
+      range[row] = returns[row].range_m;
+    }
+  };
+  const auto at = [&](int column, int row) {
+    return Pixels{plane(column, 0) + row, plane(column, 1) + row, plane(column, 2) + row,
+                  plane(column, 3) + row};
+  };
+  load(first);
+  load(first + 1);
+  for (int column = first; column < last; ++column) {
+    load(column + 2);
+    std::uint16_t* links = &links_[static_cast<std::size_t>(column) * rows];
+    std::fill_n(links, rows, std::uint16_t{0});
+    for (std::size_t k = 0; k < kSteps.size(); ++k) {
+      const int low = std::max(0, -kSteps[k].rows), high = grid_.rows - std::max(0, kSteps[k].rows);
+      if (low < high)
+        link(static_cast<std::size_t>(high - low), at(column, low),
+             at(column + kSteps[k].columns, low + kSteps[k].rows), reach_per_m_,
+             static_cast<std::uint16_t>(1U << k), links + low);
+    }
   }
 }
 
@@ -119,8 +134,9 @@ void Clusters::name_clusters(const ProjectedScan& scan) {
       const std::int32_t pixel = pixel_of_row_[row];
       of_row_[row] = kNone;
       if (pixel < 0) continue;
-      const bool linked = together(image_.x_m[pixel] - scan.x_m[row], image_.y_m[pixel] - scan.y_m[row],
-                                   image_.z_m[pixel] - scan.z_m[row], image_.range_m[pixel], reach_per_m_);
+      const Return& nearest = nearest_[pixel];
+      const bool linked = together(nearest.x_m - scan.x_m[row], nearest.y_m - scan.y_m[row],
+                                   nearest.z_m - scan.z_m[row], nearest.range_m, reach_per_m_);
       if (linked) of_row_[row] = parent_[pixel];
     }
   });

@@ -35,24 +35,22 @@ class Clusters {
 
  private:
   void place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use);
-  void link_column(int column);
+  void link_columns(int first, int last);
   void join_links();
   void name_clusters(const ProjectedScan& scan);
   void join(std::int32_t a, std::int32_t b);
   std::int32_t root(std::int32_t pixel);
 
-  /// The nearest return of each pixel; NaN where there is none.
-  struct Image {
-    std::vector<float> x_m, y_m, z_m, range_m;
+  struct Return {
+    float x_m, y_m, z_m, range_m;
   };
 
   SphericalGrid grid_;
   float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
   std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
-  std::vector<std::int32_t> nearest_row_;   ///< of each pixel, or kNone
-  Image image_;
-  std::vector<std::uint16_t> links_;  ///< of each pixel: to which of its neighbours it is connected
-  std::vector<std::int32_t> parent_;  ///< union-find over pixels; never more than the pixel itself
+  std::vector<Return> nearest_;             ///< of each pixel; NaN at infinity where there is none
+  std::vector<std::uint16_t> links_;        ///< of each pixel: to which of its neighbours it is connected
+  std::vector<std::int32_t> parent_;        ///< union-find over pixels; never more than the pixel itself
   std::vector<std::int32_t> name_, of_row_;
   std::size_t count_ = 0;
 };

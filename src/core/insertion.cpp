@@ -1,3 +1,5 @@
+#include <array>
+
 #include "mapper_state.hpp"
 #include "vector_clones.hpp"
 
@@ -16,17 +18,27 @@ void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
 }
 
 void Mapper::State::find_hit_blocks() {
+  // Rings come to the same blocks again and again: the last ones are remembered, each key in a place of its
+  // own.
+  struct Recent {
+    std::uint64_t key = LocatedRows::kNowhere;
+    std::uint32_t hit = 0;
+  };
+  constexpr std::size_t kRecent = 4096;
+  std::array<Recent, kRecent> recent;
+  Recent last;  // neighbouring rows mostly share a block
   hit_blocks.clear();
   hit_of_row.resize(projected.size());
-  std::uint64_t last_key = LocatedRows::kNowhere;  // neighbouring rows mostly share a block
-  std::uint32_t last_hit = 0;
   for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
     const std::uint64_t key = located.block[row];
     if (key == LocatedRows::kNowhere) continue;
-    if (key != last_key) last_hit = hit_of_block(key);
-    last_key = key;
-    hit_of_row[row] = last_hit;
-    ++hit_blocks[last_hit].row_count;
+    if (key != last.key) {
+      Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
+      if (entry.key != key) entry = {key, hit_of_block(key)};
+      last = entry;
+    }
+    hit_of_row[row] = last.hit;
+    ++hit_blocks[last.hit].row_count;
   }
 }
 
@@ -36,7 +48,7 @@ std::uint32_t Mapper::State::hit_of_block(std::uint64_t packed_key) {
   if (block.hit_scan != scan_count) {
     block.hit_scan = scan_count;
     block.hit_index = static_cast<std::uint32_t>(hit_blocks.size());
-    hit_blocks.push_back({index});
+    hit_blocks.push_back({&block, index});
   }
   return block.hit_index;
 }
@@ -59,7 +71,7 @@ void Mapper::State::sort_rows_by_block() {
 }
 
 STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
-  VoxelBlock& block = map.block(hit.block);
+  VoxelBlock& block = *hit.block;
   block.age(scan_count);
   const Eigen::Vector3f centre = Eigen::Vector3f::Constant(0.5F);
   const std::uint32_t* rows = &rows_by_block[hit.first_row];
@@ -71,7 +83,7 @@ STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
   }
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     const std::uint16_t place = located.place[rows[i]];
-    voxel_of_row[rows[i]] = {hit.block, place, static_cast<std::uint16_t>(block.rank(place))};
+    voxel_of_row[rows[i]] = {hit.index, place, static_cast<std::uint16_t>(block.rank(place))};
   }
   if (every_voxel_is_judged) find_known_surface(block);
 }

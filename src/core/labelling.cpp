@@ -10,6 +10,7 @@ void Mapper::State::decide(const ScanView& view) {
   labels.label.resize(n);
   labels.p_static.assign(n, 0.5F);
   labels.reason.resize(n);
+  on_old_surface.resize(n);
   for (std::size_t row = 0; row < n; ++row) {
     const bool too_far = projected.range_m[row] < 0;
     labels.label[row] = too_far ? Label::kUncertain : Label::kInvalid;
@@ -19,9 +20,12 @@ void Mapper::State::decide(const ScanView& view) {
 }
 
 void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
+  constexpr int kYoungScans = 10;
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     const std::uint32_t row = rows_by_block[hit.first_row + i];
-    labels.p_static[row] = p_static[voxel_of(voxel_of_row[row]).log_odds_fixed];
+    const Voxel& voxel = hit.block->stored(voxel_of_row[row].rank);
+    on_old_surface[row] = voxel.age >= kYoungScans;
+    labels.p_static[row] = p_static[voxel.log_odds_fixed];
     labels.label[row] = decision(labels.p_static[row]);
     labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);
   }

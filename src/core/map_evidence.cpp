@@ -5,7 +5,7 @@ namespace stillmap {
 
 // Blocks own their voxels and read only what no other block writes: any order gives the same map.
 void Mapper::State::apply_evidence(const ScanView& view) {
-  for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, map.block(hit.block)); });
+  for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
   map.find_near(view.origin_map_m, reach_m(), near_tiles);
   tbb::parallel_for(std::size_t{0}, near_tiles.size(),
                     [&](std::size_t i) { judge_tile(view, *near_tiles[i]); });
@@ -24,6 +24,7 @@ void Mapper::State::judge_hit_block(const ScanView& view, VoxelBlock& block) {
 }
 
 void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
+  constexpr std::size_t kFarAhead = 8, kAhead = 3;
   const auto half_m = static_cast<float>(0.5 * map.block_size_m());
   const Eigen::Vector3f to_center = view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
   const auto reach = static_cast<float>(reach_m());
@@ -35,8 +36,8 @@ void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
       in_view.push_back(entry.index);
   }
   for (std::size_t i = 0; i < in_view.size(); ++i) {
-    if (i + 4 < in_view.size()) map.block(in_view[i + 4]).prefetch();
-    if (i + 2 < in_view.size()) map.block(in_view[i + 2]).prefetch_voxels();
+    if (i + kFarAhead < in_view.size()) map.block(in_view[i + kFarAhead]).prefetch();
+    if (i + kAhead < in_view.size()) map.block(in_view[i + kAhead]).prefetch_voxels();
     VoxelBlock& block = map.block(in_view[i]);
     if (block.hit_scan == scan_count) continue;
     BlockProjection seen;

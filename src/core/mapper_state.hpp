@@ -33,7 +33,8 @@ struct VoxelRef {
 /// A block that this scan hit. Its rows are rows_by_block[first_row + 0 .. row_count - 1]; those that made a
 /// voxel are new_rows[first_row + 0 .. new_count - 1].
 struct HitBlock {
-  std::uint32_t block;
+  VoxelBlock* block;
+  std::uint32_t index;  ///< of the block in the map
   std::uint32_t first_row = 0, row_count = 0, new_count = 0;
 };
 
@@ -68,6 +69,7 @@ struct Mapper::State {
   std::vector<std::uint32_t> new_rows;
   std::vector<std::uint32_t> new_voxels;  ///< rows of the scan whose return made a voxel
   std::vector<VoxelRef> voxel_of_row;
+  std::vector<std::uint8_t> on_old_surface;  ///< by row: its voxel has been there for a while
   std::vector<const BlockTile*> near_tiles;  ///< with all that the scan may say something about, and more
   ScanLabels labels;
   UprightRows upright;
@@ -99,10 +101,11 @@ struct Mapper::State {
   /// Calls work(hit) for each block that this scan hit, on all threads; voxels are fetched ahead.
   template <class Work>
   void for_each_hit_block(Work&& work) {
-    constexpr std::size_t kAtLeast = 16, kAhead = 2;
+    constexpr std::size_t kAtLeast = 32, kFarAhead = 8, kAhead = 3;
     const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        if (i + kAhead < range.end()) map.block(hit_blocks[i + kAhead].block).prefetch_voxels();
+        if (i + kFarAhead < range.end()) hit_blocks[i + kFarAhead].block->prefetch();
+        if (i + kAhead < range.end()) hit_blocks[i + kAhead].block->prefetch_voxels();
         work(hit_blocks[i]);
       }
     };
@@ -131,7 +134,7 @@ struct Mapper::State {
   void find_known_surface(VoxelBlock& block) const;
   CellMask near_standing_surface(const BlockKey& key, CellMask asked) const;
   CellMask near_porous(const BlockKey& key, CellMask asked) const;
-  CellMask near_moving(const BlockKey& key) const;
+  CellMask near_moving(const BlockKey& key, CellMask asked) const;
   void remember_moving();
   std::vector<std::uint32_t> moving_blocks;                   ///< where something moved in the last scans
   tsl::robin_set<std::uint64_t, BlockKeyHash> around_moving;  ///< those and their neighbours, packed keys

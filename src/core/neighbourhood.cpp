@@ -34,9 +34,9 @@ CellMask Mapper::State::near_porous(const BlockKey& key, CellMask asked) const {
   return near(key, asked, [](const VoxelBlock& b) { return b.porous; });
 }
 
-CellMask Mapper::State::near_moving(const BlockKey& key) const {
+CellMask Mapper::State::near_moving(const BlockKey& key, CellMask asked) const {
   if (around_moving.count(packed(key)) == 0) return 0;
-  return near(key, ~CellMask{0}, [this](const VoxelBlock& b) {
+  return near(key, asked, [this](const VoxelBlock& b) {
     return b.moving_scan + kMovingMemoryScans >= scan_count ? b.moving : CellMask{0};
   });
 }

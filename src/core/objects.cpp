@@ -39,17 +39,19 @@ void Mapper::State::separate_ground() {
 }
 
 void Mapper::State::find_clues() {
-  constexpr int kYoungScans = 10;
-  for_each_hit_block([&](const HitBlock& hit) {
-    const VoxelBlock& block = map.block(hit.block);
-    const CellMask moving_near = parameters.follow_objects ? near_moving(block.key()) : CellMask{0};
-    for (std::uint32_t i = 0; i < hit.row_count; ++i) {
-      const std::uint32_t row = rows_by_block[hit.first_row + i];
-      if (clusters.of_row()[row] == Clusters::kNone) continue;
-      const VoxelRef at = voxel_of_row[row];
-      clues[row].followed = (moving_near & cell_bit(at.place)) != 0;
-      clues[row].established =
-          labels.label[row] == Label::kStatic && block.stored(at.rank).age >= kYoungScans;
+  tbb::parallel_for(std::size_t{0}, hit_blocks.size(), [this](std::size_t i) {
+    const std::uint32_t* rows = &rows_by_block[hit_blocks[i].first_row];
+    const std::uint32_t* const end = rows + hit_blocks[i].row_count;
+    CellMask occupied = 0;
+    for (const std::uint32_t* row = rows; row < end; ++row)
+      if (clusters.of_row()[*row] != Clusters::kNone) occupied |= cell_bit(voxel_of_row[*row].place);
+    if (occupied == 0) return;
+    const CellMask moving =
+        parameters.follow_objects ? near_moving(unpacked(located.block[*rows]), occupied) : CellMask{0};
+    for (const std::uint32_t* row = rows; row < end; ++row) {
+      if (clusters.of_row()[*row] == Clusters::kNone) continue;
+      clues[*row].followed = (moving & cell_bit(voxel_of_row[*row].place)) != 0;
+      clues[*row].established = labels.label[*row] == Label::kStatic && on_old_surface[*row] != 0;
     }
   });
 }

@@ -160,17 +160,17 @@ void RangeImage::summarise_tiles() {
     }
 }
 
-void RangeImage::mark_reached(std::size_t n, const float* azimuth_rad, const float* elevation_rad,
-                              const float* range_m, float epsilon_m, std::uint8_t* marks) const {
-  constexpr std::size_t kBatch = 512;
-  int pixel[kBatch];
-  for (std::size_t first = 0; first < n; first += kBatch) {
-    const std::size_t count = std::min(kBatch, n - first);
+void RangeImage::at(std::size_t n, const float* azimuth_rad, const float* elevation_rad, float* nearest_m,
+                    float* farthest_m) const {
+  constexpr std::size_t kAtOnce = 256;
+  int pixel[kAtOnce];
+  for (std::size_t first = 0; first < n; first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, n - first);
     grid_.pixels(count, azimuth_rad + first, elevation_rad + first, pixel);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint16_t farthest = pixel[i] < 0 ? std::uint16_t{0} : spans_[pixel[i]].farthest;
-      const bool hidden = farthest == 0 || farthest * step_m_ - range_m[first + i] < -epsilon_m;
-      marks[first + i] |= static_cast<std::uint8_t>(!hidden);
+      const MeasuredRange measured = pixel[i] < 0 ? MeasuredRange{} : at(pixel[i]);
+      nearest_m[first + i] = measured.nearest_m;
+      farthest_m[first + i] = measured.farthest_m;
     }
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,14 +36,9 @@ class ScanView {
     return fused;
   }
 
-  /// For n elements at once: told[i] is 0 where evidence() would be kUnknown since every level has the
-  /// element behind what it measured, or no return there.
+  /// For n elements at once: told[i] is 0 where evidence() would be kUnknown.
   void find_told(std::size_t n, const float* azimuth_rad, const float* elevation_rad, const float* range_m,
-                 const std::vector<LevelModel>& models, std::uint8_t* told) const {
-    std::fill_n(told, n, std::uint8_t{0});
-    for (std::size_t r = 0; r < levels_.size(); ++r)
-      levels_[r].mark_reached(n, azimuth_rad, elevation_rad, range_m, models[r].epsilon_m, told);
-  }
+                 const std::vector<LevelModel>& models, std::uint8_t* told) const;
 
   /// No pixel around the ball has a return as far as the ball's near side: all in it is hidden or out of
   /// sight.
