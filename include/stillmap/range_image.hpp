@@ -73,7 +73,8 @@ class RangeImage {
     std::uint16_t nearest, farthest;  ///< farthest 0 = no return
   };
 
-  void summarise_tiles();
+  void make_tiles();
+  void summarise_tiles(int tile_column);
 
   static constexpr int kTileColumns = 8, kTileRows = 16;
   SphericalGrid grid_;

@@ -67,8 +67,10 @@ void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   nearest_.assign(grid_.size(), {kNaN, kNaN, kNaN, kInfinity});
+  column_used_.assign(static_cast<std::size_t>(grid_.columns), 0);
   for (std::size_t row = 0; row < scan.size(); ++row) {
     if (pixel_of_row_[row] < 0) continue;
+    column_used_[pixel_of_row_[row] / grid_.rows] = 1;
     Return& nearest = nearest_[pixel_of_row_[row]];
     if (scan.range_m[row] < nearest.range_m)
       nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row]};
@@ -96,10 +98,10 @@ void Clusters::link_columns(int first, int last) {
     return Pixels{plane(column, 0) + row, plane(column, 1) + row, plane(column, 2) + row,
                   plane(column, 3) + row};
   };
-  load(first);
-  load(first + 1);
+  int loaded = first;
   for (int column = first; column < last; ++column) {
-    load(column + 2);
+    if (column_used_[column] == 0) continue;
+    for (loaded = std::max(loaded, column); loaded <= column + 2; ++loaded) load(loaded);
     std::uint16_t* links = &links_[static_cast<std::size_t>(column) * rows];
     std::fill_n(links, rows, std::uint16_t{0});
     for (std::size_t k = 0; k < kSteps.size(); ++k) {
@@ -117,6 +119,7 @@ void Clusters::join_links() {
   for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel)
     parent_[pixel] = static_cast<std::int32_t>(pixel);
   for (int column = 0; column < grid_.columns; ++column) {
+    if (column_used_[column] == 0) continue;
     std::array<std::int32_t, kSteps.size()> to;
     for (std::size_t k = 0; k < kSteps.size(); ++k)
       to[k] = (column + kSteps[k].columns) % grid_.columns * grid_.rows + kSteps[k].rows;

@@ -49,6 +49,7 @@ class Clusters {
   float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
   std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
   std::vector<Return> nearest_;             ///< of each pixel; NaN at infinity where there is none
+  std::vector<std::uint8_t> column_used_;   ///< holds a return
   std::vector<std::uint16_t> links_;        ///< of each pixel: to which of its neighbours it is connected
   std::vector<std::int32_t> parent_;        ///< union-find over pixels; never more than the pixel itself
   std::vector<std::int32_t> name_, of_row_;

@@ -1,5 +1,7 @@
 #include "stillmap/range_image.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,33 +24,41 @@ struct SpanPlanes {
 SpanPlanes span_planes(const ProjectedScan& scan, const SphericalGrid& grid, float step_m) {
   SpanPlanes planes{Plane(grid.size(), 0xFFFF), Plane(grid.size(), 0)};
   const float inverse_step = 1.0F / step_m;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (!(scan.range_m[i] > 0)) continue;
-    const int pixel = grid.pixel(scan.azimuth_rad[i], scan.elevation_rad[i]);
-    if (pixel < 0) continue;
-    const auto range = static_cast<std::uint16_t>(std::max(1.0F, scan.range_m[i] * inverse_step + 0.5F));
-    planes.nearest[pixel] = std::min(planes.nearest[pixel], range);
-    planes.farthest[pixel] = std::max(planes.farthest[pixel], range);
+  constexpr std::size_t kAtOnce = 512;
+  int pixels[kAtOnce];
+  for (std::size_t first = 0; first < scan.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, scan.size() - first);
+    grid.pixels(count, &scan.azimuth_rad[first], &scan.elevation_rad[first], pixels);
+    for (std::size_t i = 0; i < count; ++i) {
+      const float range_m = scan.range_m[first + i];
+      if (!(range_m > 0) || pixels[i] < 0) continue;
+      const auto range = static_cast<std::uint16_t>(std::max(1.0F, range_m * inverse_step + 0.5F));
+      planes.nearest[pixels[i]] = std::min(planes.nearest[pixels[i]], range);
+      planes.farthest[pixels[i]] = std::max(planes.farthest[pixels[i]], range);
+    }
   }
   return planes;
 }
 
-/// Each column also sees its two neighbours; columns wrap around.
-SpanPlanes widened_by_a_column(const SpanPlanes& planes, const SphericalGrid& grid) {
-  SpanPlanes wide{Plane(grid.size()), Plane(grid.size())};
-  const int rows = grid.rows;
-  for (int c = 0; c < grid.columns; ++c) {
-    const int left = (c + grid.columns - 1) % grid.columns * rows, here = c * rows;
-    const int right = (c + 1) % grid.columns * rows;
-    for (int r = 0; r < rows; ++r) {
-      wide.nearest[here + r] =
-          std::min({planes.nearest[left + r], planes.nearest[here + r], planes.nearest[right + r]});
-      wide.farthest[here + r] =
-          std::max({planes.farthest[left + r], planes.farthest[here + r], planes.farthest[right + r]});
+/// One column that also sees its two neighbours; columns wrap around.
+struct WideColumn {
+  Plane nearest, farthest;
+
+  STILLMAP_VECTOR_CLONES void gather(const SpanPlanes& planes, const SphericalGrid& grid, int column) {
+    const auto rows = static_cast<std::size_t>(grid.rows);
+    nearest.resize(rows);
+    farthest.resize(rows);
+    const std::size_t left = (column + grid.columns - 1) % grid.columns * rows, here = column * rows;
+    const std::size_t right = (column + 1) % grid.columns * rows;
+    std::uint16_t* __restrict near = nearest.data();
+    std::uint16_t* __restrict far = farthest.data();
+    const std::uint16_t *n = planes.nearest.data(), *f = planes.farthest.data();
+    for (std::size_t r = 0; r < rows; ++r) {
+      near[r] = std::min(std::min(n[left + r], n[here + r]), n[right + r]);
+      far[r] = std::max(std::max(f[left + r], f[here + r]), f[right + r]);
     }
   }
-  return wide;
-}
+};
 
 /// The beams around each row of one column: the rows within `reach` of it, and the nearest row with a return
 /// strictly below and strictly above, at most `gap` rows away. A row that served as both sides would see
@@ -118,7 +128,8 @@ RangeImage RangeImage::nearest(const ProjectedScan& scan, float level_rad, float
     const std::uint16_t range = planes.farthest[i] > 0 ? planes.nearest[i] : std::uint16_t{0};
     image.spans_[i] = {range, range};
   }
-  image.summarise_tiles();
+  image.make_tiles();
+  for (int column = 0; column < image.tile_columns_; ++column) image.summarise_tiles(column);
   return image;
 }
 
@@ -132,32 +143,44 @@ RangeImage RangeImage::bracketed(const ProjectedScan& scan, SensorGeometry geome
   image.step_m_ = max_range_m / kSteps;
   image.grid_ =
       SphericalGrid(column_rad, row_rad, scan.elevation_min_rad - margin, scan.elevation_max_rad + margin);
-  const SpanPlanes planes = widened_by_a_column(span_planes(scan, image.grid_, image.step_m_), image.grid_);
+  const SpanPlanes planes = span_planes(scan, image.grid_, image.step_m_);
   image.spans_.resize(image.grid_.size());
-  ColumnBracket bracket(image.grid_.rows, 2, gap_rows);
-  for (int c = 0; c < image.grid_.columns; ++c) {
-    const std::size_t first = static_cast<std::size_t>(c) * image.grid_.rows;
-    bracket.run(&planes.nearest[first], &planes.farthest[first],
-                [&](int row, std::uint16_t near, std::uint16_t far) {
-                  image.spans_[first + row] = {near, far};
-                });
-  }
-  image.summarise_tiles();
+  image.make_tiles();
+  tbb::parallel_for(0, image.tile_columns_, [&](int tile_column) {
+    WideColumn wide;
+    ColumnBracket bracket(image.grid_.rows, 2, gap_rows);
+    const int last = std::min(image.grid_.columns, (tile_column + 1) * kTileColumns);
+    for (int column = tile_column * kTileColumns; column < last; ++column) {
+      wide.gather(planes, image.grid_, column);
+      Span* const spans = &image.spans_[static_cast<std::size_t>(column) * image.grid_.rows];
+      bracket.run(wide.nearest.data(), wide.farthest.data(),
+                  [&](int row, std::uint16_t near, std::uint16_t far) {
+                    spans[row] = {near, far};
+                  });
+    }
+    image.summarise_tiles(tile_column);
+  });
   return image;
 }
 
-void RangeImage::summarise_tiles() {
+void RangeImage::make_tiles() {
   tile_columns_ = (grid_.columns + kTileColumns - 1) / kTileColumns;
   tile_rows_ = (grid_.rows + kTileRows - 1) / kTileRows;
   tiles_.assign(static_cast<std::size_t>(tile_columns_) * tile_rows_, Span{0xFFFF, 0});
-  for (int c = 0; c < grid_.columns; ++c)
-    for (int r = 0; r < grid_.rows; ++r) {
-      const Span span = spans_[static_cast<std::size_t>(c) * grid_.rows + r];
-      if (span.farthest == 0) continue;
-      Span& tile = tiles_[static_cast<std::size_t>(c / kTileColumns) * tile_rows_ + r / kTileRows];
-      tile.nearest = std::min(tile.nearest, span.nearest);
-      tile.farthest = std::max(tile.farthest, span.farthest);
+}
+
+void RangeImage::summarise_tiles(int tile_column) {
+  const int last = std::min(grid_.columns, (tile_column + 1) * kTileColumns);
+  Span* const tiles = &tiles_[static_cast<std::size_t>(tile_column) * tile_rows_];
+  for (int column = tile_column * kTileColumns; column < last; ++column) {
+    const Span* const spans = &spans_[static_cast<std::size_t>(column) * grid_.rows];
+    for (int row = 0; row < grid_.rows; ++row) {
+      if (spans[row].farthest == 0) continue;
+      Span& tile = tiles[row / kTileRows];
+      tile.nearest = std::min(tile.nearest, spans[row].nearest);
+      tile.farthest = std::max(tile.farthest, spans[row].farthest);
     }
+  }
 }
 
 void RangeImage::at(std::size_t n, const float* azimuth_rad, const float* elevation_rad, float* nearest_m,
