@@ -66,14 +66,15 @@ void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint
   });
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  nearest_.assign(grid_.size(), {kNaN, kNaN, kNaN, kInfinity});
+  nearest_.assign(grid_.size(), {kNaN, kNaN, kNaN, kInfinity, kNone});
   column_used_.assign(static_cast<std::size_t>(grid_.columns), 0);
   for (std::size_t row = 0; row < scan.size(); ++row) {
     if (pixel_of_row_[row] < 0) continue;
     column_used_[pixel_of_row_[row] / grid_.rows] = 1;
     Return& nearest = nearest_[pixel_of_row_[row]];
     if (scan.range_m[row] < nearest.range_m)
-      nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row]};
+      nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row],
+                 static_cast<std::int32_t>(row)};
   }
 }
 

@@ -27,7 +27,7 @@ class Clusters {
     const int row = grid_.row(elevation_rad), column = grid_.column(azimuth_rad);
     for (int c = column - 1; c <= column + 1; ++c)
       for (int r = std::max(0, row); r <= std::min(grid_.rows - 1, row + 3); ++r) {
-        const std::int32_t above = nearest_row_[(c + grid_.columns) % grid_.columns * grid_.rows + r];
+        const std::int32_t above = nearest_[(c + grid_.columns) % grid_.columns * grid_.rows + r].row;
         if (above != kNone && test(above)) return true;
       }
     return false;
@@ -43,12 +43,13 @@ class Clusters {
 
   struct Return {
     float x_m, y_m, z_m, range_m;
+    std::int32_t row;  ///< of the scan
   };
 
   SphericalGrid grid_;
   float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
   std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
-  std::vector<Return> nearest_;             ///< of each pixel; NaN at infinity where there is none
+  std::vector<Return> nearest_;             ///< of each pixel; NaN at infinity, row kNone where there is none
   std::vector<std::uint8_t> column_used_;   ///< holds a return
   std::vector<std::uint16_t> links_;        ///< of each pixel: to which of its neighbours it is connected
   std::vector<std::int32_t> parent_;        ///< union-find over pixels; never more than the pixel itself
