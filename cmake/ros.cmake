@@ -7,7 +7,7 @@
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
+  diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
   roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros xmlrpcpp)
 
 add_message_files(FILES LabelledMap.msg Status.msg)
@@ -17,13 +17,14 @@ generate_messages(DEPENDENCIES std_msgs)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES stillmap_core
-  CATKIN_DEPENDS diagnostic_msgs diagnostic_updater geometry_msgs message_runtime nav_msgs nodelet pluginlib
+  CATKIN_DEPENDS diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet pluginlib
     rosbag_storage roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros xmlrpcpp
   DEPENDS EIGEN3)
 
 install(DIRECTORY include/stillmap/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
-catkin_install_python(PROGRAMS scripts/render.py scripts/replay_bag.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+catkin_install_python(PROGRAMS scripts/draw_stages.py scripts/render.py scripts/replay_bag.py
+  DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(PROGRAMS scripts/rviz_picture.sh DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES scripts/labelled_sequence.py scripts/point_picture.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

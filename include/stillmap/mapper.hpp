@@ -58,6 +58,9 @@ class Mapper {
   void reset();                     ///< forgets map, tile store, history and sensor geometry
 
   const Parameters& parameters() const;
+  /// Other thresholds from the next scan on: p_static_min, p_dynamic_max. The map stays as it is. Throws as
+  /// the constructor.
+  void set_decision(double p_static_min, double p_dynamic_max);
   const Decision& decision() const;            ///< its two thresholds, eq. (9)
   void set_listener(StageListener* listener);  ///< not owned; nullptr = none
   /// Where tiles go that are farther than rolling_radius_m. Not owned; nullptr = they are forgotten.

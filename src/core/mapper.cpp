@@ -124,6 +124,14 @@ const Parameters& Mapper::parameters() const {
 const Decision& Mapper::decision() const {
   return state_->decision;
 }
+void Mapper::set_decision(double p_static_min, double p_dynamic_max) {
+  Parameters changed = state_->parameters;
+  changed.p_static_min = p_static_min;
+  changed.p_dynamic_max = p_dynamic_max;
+  require_valid(changed);
+  state_->parameters = changed;
+  state_->decision = {static_cast<float>(p_static_min), static_cast<float>(p_dynamic_max)};
+}
 void Mapper::set_listener(StageListener* listener) {
   state_->listener = listener;
 }

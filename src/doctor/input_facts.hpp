@@ -10,7 +10,7 @@ namespace stillmap {
 
 /// What came in, before any scan is looked at.
 struct InputFacts {
-  std::size_t clouds = 0;    ///< that came
+  std::size_t clouds = 0;    ///< that came since the poses did
   std::size_t answered = 0;  ///< of them, that found their pose
   std::string why_not;       ///< what the last one without a pose lacked
   bool uses_tf = false;

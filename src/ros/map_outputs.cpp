@@ -4,12 +4,16 @@
 
 namespace stillmap {
 
-MapOutputs::MapOutputs(ros::NodeHandle private_nh, double period_s)
-    : period_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period_s))) {
+MapOutputs::MapOutputs(ros::NodeHandle private_nh, double period_s) {
+  set_period(period_s);
   const bool latch = true;
   map_.publisher = private_nh.advertise<LabelledMap>("map", 1, latch);
   static_map_.publisher = private_nh.advertise<sensor_msgs::PointCloud2>("static_map", 1, latch);
   octomap_.publisher = private_nh.advertise<OctomapMessage>("octomap", 1, latch);
+}
+
+void MapOutputs::set_period(double period_s) {
+  period_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period_s));
 }
 
 bool MapOutputs::is_due(const Output& output, std::size_t scan_count) {

@@ -14,6 +14,7 @@ namespace stillmap {
 class MapOutputs {
  public:
   MapOutputs(ros::NodeHandle private_nh, double period_s);
+  void set_period(double period_s);
   /// Between two scans.
   void publish_if_due(const Mapper& mapper, const std::string& frame_id);
 

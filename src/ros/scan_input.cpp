@@ -44,7 +44,6 @@ void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   const std::lock_guard lock(mutex_);
   cloud_silence_.heard(Clock::now());
   cloud_frame_id_ = without_leading_slash(cloud->header.frame_id);
-  ++clouds_;
   pairing_->add_cloud(cloud);
   arrived_.notify_one();
 }
@@ -52,6 +51,7 @@ void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
 void ScanInput::on_odometry(const nav_msgs::OdometryConstPtr& odometry) {
   const std::lock_guard lock(mutex_);
   odometry_silence_.heard(Clock::now());
+  if (odometry_frame_.empty()) too_early_ = pairing_->waiting();
   try {
     pairing_->add_odometry(*odometry);
     odometry_frame_ = without_leading_slash(odometry->header.frame_id);
@@ -116,9 +116,19 @@ void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subs
 }
 
 void ScanInput::on_drop(const std::string& reason, const std::string& text) {
-  if (reason == "no_pose") why_no_pose_ = text;
+  if (reason == "no_pose") count_without_pose(text);
   const std::string what = reason == "jumped_back" ? ": " : ": a scan is dropped: ";
   log_.warn(reason, parameters_.cloud_topic + what + text + advice(reason));
+}
+
+void ScanInput::count_without_pose(const std::string& why) {
+  if (!tf_poses_ && odometry_frame_.empty()) return;  // the odometry has not begun
+  if (too_early_ > 0) {
+    --too_early_;
+    return;
+  }
+  ++without_pose_;
+  why_no_pose_ = why;
 }
 
 void ScanInput::close() {
@@ -141,13 +151,10 @@ InputFacts ScanInput::facts() const {
   facts.clock_stands =
       ros::Time::isSimTime() && ros::Time::now().isZero() && Clock::now() - start_ > kClockPatience;
   const std::lock_guard lock(mutex_);
-  facts.clouds = clouds_;
-  // What waits behind a full queue of work has a pose.
-  const auto dropped = pairing_->dropped();
-  const auto no_pose = dropped.find("no_pose");
   const bool oldest_waits = !pairing_->waiting_for().empty();
-  facts.answered =
-      clouds_ - (no_pose == dropped.end() ? 0 : no_pose->second) - (oldest_waits ? pairing_->waiting() : 0);
+  facts.answered = taken_;
+  facts.clouds = taken_ + without_pose_;
+  if (tf_poses_ && oldest_waits) facts.clouds += pairing_->waiting();
   facts.why_not = why_no_pose_.empty() ? pairing_->waiting_for() : why_no_pose_;
   facts.uses_tf = tf_poses_ != nullptr;
   if (!tf_poses_ || taken_ > 0) return facts;

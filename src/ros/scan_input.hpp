@@ -42,6 +42,7 @@ class ScanInput {
   void on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
   void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
   void on_drop(const std::string& reason, const std::string& text);
+  void count_without_pose(const std::string& why);
   std::optional<PairedScan> take();
   void warn_when_waiting_long();
   void warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subscriber, const char* type,
@@ -57,7 +58,8 @@ class ScanInput {
   std::condition_variable arrived_;
   std::unique_ptr<ScanPairing> pairing_;
   std::string odometry_frame_, cloud_frame_id_, why_no_pose_;
-  std::size_t clouds_ = 0, taken_ = 0;
+  std::size_t taken_ = 0, without_pose_ = 0;
+  std::size_t too_early_ = 0;  ///< clouds from before the first pose, which none will fit
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_taken_ = Clock::now();
   SilenceWatch cloud_silence_{last_taken_}, odometry_silence_{last_taken_};

@@ -27,6 +27,7 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       outputs_(private_nh, settings_.node.resolved_delay),
       map_outputs_(private_nh, settings_.node.map_period_s),
       services_(private_nh, shared_),
+      live_parameters_(private_nh, settings_),
       diagnostics_(nh, private_nh),
       doctor_(check_node_parameters(settings_.node)),
       input_(nh, settings_.node, private_nh.getNamespace() + "/", log_) {
@@ -52,6 +53,7 @@ void StillmapRos::work() {
     const bool is_last_call = closing_;
     const std::optional<PairedScan> paired =
         input_.next(is_last_call ? std::chrono::milliseconds(0) : kPatience);
+    update_live_parameters();
     if (paired) process(*paired);
     if (!paired && is_last_call) return;
     between_scans();
@@ -93,6 +95,13 @@ void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, dou
   status_.process_ms = process_ms;
   status_.stage_ms.assign(stage_timer_.stage_ms.begin(), stage_timer_.stage_ms.end());
   outputs_.publish(status_);
+}
+
+void StillmapRos::update_live_parameters() {
+  if (!live_parameters_.update(settings_)) return;
+  map_outputs_.set_period(settings_.node.map_period_s);
+  const std::lock_guard lock(shared_.mutex);
+  shared_.mapper.set_decision(settings_.method.p_static_min, settings_.method.p_dynamic_max);
 }
 
 void StillmapRos::between_scans() {

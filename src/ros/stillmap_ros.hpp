@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "ros/live_parameters.hpp"
 #include "ros/map_outputs.hpp"
 #include "ros/map_services.hpp"
 #include "ros/node_diagnostics.hpp"
@@ -33,15 +34,17 @@ class StillmapRos {
   void process(const PairedScan& paired);
   void report(const PairedScan& paired, const ScanLabels& labels, double process_ms);
   void between_scans();
+  void update_live_parameters();
 
   using Clock = std::chrono::steady_clock;
-  const NodeSettings settings_;
+  NodeSettings settings_;  ///< the live ones change
   ThrottledLog log_;
   SharedMapper shared_;
   StageTimer stage_timer_;
   ScanOutputs outputs_;
   MapOutputs map_outputs_;
   MapServices services_;
+  LiveParameters live_parameters_;
   NodeDiagnostics diagnostics_;
   NodeDoctor doctor_;
   Status status_;

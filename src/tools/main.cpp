@@ -8,10 +8,12 @@
 #include "tools/parameters_command.hpp"
 #include "tools/simulate_command.hpp"
 #include "tools/soak_command.hpp"
+#include "tools/stages_command.hpp"
 #include "tools/version.hpp"
 #if STILLMAP_WITH_ROS
 #include "tools/bag_command.hpp"
 #include "tools/doctor_command.hpp"
+#include "tools/reference_command.hpp"
 #endif
 
 int main(int argc, char** argv) {
@@ -25,9 +27,11 @@ int main(int argc, char** argv) {
   stillmap::add_evaluate_command(app);
   stillmap::add_inject_command(app);
   stillmap::add_parameters_command(app);
+  stillmap::add_stages_command(app);
 #if STILLMAP_WITH_ROS
   stillmap::add_bag_command(app);
   stillmap::add_doctor_command(app);
+  stillmap::add_reference_command(app);
 #endif
   try {
     app.parse(argc, argv);
