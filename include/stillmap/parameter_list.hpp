@@ -70,8 +70,11 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
          "factor on a conflict where this scan hits, right beside, surface known to stand: leaves, edges, "
          "pose noise");
   number("conflict_porous", "", 0.0, 1.0, p.conflict_porous,
-         "factor on a conflict with surface that was hit again after it was seen through, and on replayed "
-         "ones beside it");
+         "factor on a conflict with surface that was hit again after it was seen through, or beside such");
+  number(
+      "conflict_reach_voxels", "voxel edges", 0.0, 100.0, p.conflict_reach_voxels,
+      "a beam speaks in full against surface this near; wider gaps between beams weaken a conflict: what is "
+      "thin slips through them; 0 = off");
   flag("full_support_on_return", p.full_support_on_return,
        "a voxel hit again after it was seen through gets the full support_rate: porous things do that, "
        "movers do not");
@@ -84,6 +87,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "new surface right behind surface that vanished is the thing that moved there");
   number("speck_size_m", "m", 0.0, 2.0, p.speck_size_m,
          "moving pieces smaller than this on an object that stands are deferred; 0 = off");
+  flag("lean_together", p.lean_together,
+       "an object of which at least half leans towards moving moves, though hardly a point of it is decided");
   flag("take_feet_along", p.take_feet_along,
        "what rises a little above the ground right below something that moves goes with it");
 

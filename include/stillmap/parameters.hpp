@@ -57,6 +57,7 @@ struct Parameters {
   // Porous things, sway and pose noise.
   double conflict_beside_surface = 0.15;
   double conflict_porous = 0.2;
+  double conflict_reach_voxels = 1.2;
   bool full_support_on_return = true;
 
   // Objects and surfaces.
@@ -64,6 +65,7 @@ struct Parameters {
   bool follow_objects = true;
   bool vanish_test = true;
   double speck_size_m = 0.3;
+  bool lean_together = true;
   bool take_feet_along = true;
 
   // The experiment's structure gates (section 2.1); 0 switches a gate off.

@@ -1,3 +1,4 @@
+#include "beam_share.hpp"
 #include "block_projection.hpp"
 #include "mapper_state.hpp"
 
@@ -56,6 +57,7 @@ void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockPr
     int place;
     Voxel* voxel;
     FusedEvidence evidence;
+    float range_m;
   };
   std::vector<Conflict> conflicts;
   CellMask seen_through = 0;
@@ -63,15 +65,19 @@ void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockPr
     const FusedEvidence evidence = view.evidence(here, models);
     if (evidence.kind() == Evidence::kSupport) update(voxel, evidence, 1);
     if (evidence.kind() != Evidence::kConflict) return;
-    conflicts.push_back({place, &voxel, evidence});
+    conflicts.push_back({place, &voxel, evidence, here.range_m});
     seen_through |= cell_bit(place);
   });
   if (conflicts.empty()) return;
   const CellMask surface = near_standing_surface(block.key(), seen_through);
+  const CellMask porous = near_porous(block.key(), seen_through);
+  const BeamShare share = beam_share();
   for (const Conflict& conflict : conflicts) {
     conflict.voxel->see_through();
-    const bool beside_surface = (surface & cell_bit(conflict.place)) != 0;
-    update(*conflict.voxel, conflict.evidence, conflict_factor(*conflict.voxel, beside_surface));
+    const CellMask cell = cell_bit(conflict.place);
+    const bool is_porous = conflict.voxel->came_back != 0 || (porous & cell) != 0;
+    const float factor = conflict_factor(is_porous, (surface & cell) != 0);
+    update(*conflict.voxel, conflict.evidence, factor * share.at(conflict.range_m));
   }
 }
 
@@ -87,9 +93,13 @@ void Mapper::State::support(Voxel& voxel) const {
   voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_static[voxel.log_odds_fixed])));
 }
 
-float Mapper::State::conflict_factor(const Voxel& voxel, bool beside_surface) const {
-  const double porous = voxel.came_back != 0 ? parameters.conflict_porous : 1.0;
+float Mapper::State::conflict_factor(bool is_porous, bool beside_surface) const {
+  const double porous = is_porous ? parameters.conflict_porous : 1.0;
   return static_cast<float>(beside_surface ? porous * parameters.conflict_beside_surface : porous);
+}
+
+BeamShare Mapper::State::beam_share() const {
+  return {static_cast<float>(parameters.conflict_reach_voxels * map.voxel_size_m()), beams};
 }
 
 }  // namespace stillmap

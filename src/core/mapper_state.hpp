@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 #include <tsl/robin_set.h>
 
+#include "beam_share.hpp"
 #include "block_projection.hpp"
 #include "clusters.hpp"
 #include "ground.hpp"
@@ -120,7 +121,8 @@ struct Mapper::State {
   Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
   void update(Voxel& voxel, const FusedEvidence& evidence, float factor) const;
   void support(Voxel& voxel) const;
-  float conflict_factor(const Voxel& voxel, bool beside_surface) const;
+  float conflict_factor(bool is_porous, bool beside_surface) const;
+  BeamShare beam_share() const;
 
   // nearest_voxel_evidence.cpp: the literal reading, only the nearest voxel of a pixel is judged
   void apply_evidence_to_nearest(const ScanView& view);

@@ -3,7 +3,7 @@
 namespace stillmap {
 namespace {
 
-constexpr int kFew = 4;  // rows that prove nothing
+constexpr int kFew = 3;  // rows that prove nothing
 
 }  // namespace
 
@@ -13,6 +13,7 @@ void Votes::add(Label label, const RowClues& clues) {
   is_static += label == Label::kStatic;
   established += clues.established;
   followed += clues.followed;
+  leaning += clues.leaning;
 }
 
 bool Votes::known_before() const {
@@ -27,6 +28,7 @@ Reason Votes::verdict(float static_share) const {
   const auto all = static_cast<float>(rows);
   if (dynamic >= kFew && dynamic >= kDynamicShare * all && dynamic >= kDynamicMajority * decided)
     return Reason::kObjectMoves;
+  if (leaning >= kFew && leaning >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (followed >= kFew && followed >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (vanished >= kFew && vanished >= kHalf * static_cast<float>(tested) && !known_before())
     return Reason::kReplacedVanished;

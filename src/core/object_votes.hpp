@@ -10,6 +10,7 @@ struct RowClues {
   bool established = false;  ///< static, on surface known for a while
   bool followed = false;     ///< right beside what moved in the last scans
   bool tested = false;       ///< the vanish test was made: the row is undecided, or only just static
+  bool leaning = false;      ///< more likely dynamic than not
   bool vanished = false;     ///< what stood right before it, seen from here, is gone
 };
 
@@ -20,6 +21,7 @@ inline constexpr float kPatchStatic = 0.5F, kObjectStatic = 0.3F;
 struct Votes {
   int rows = 0, dynamic = 0, is_static = 0;
   int established = 0, followed = 0, tested = 0, vanished = 0;
+  int leaning = 0;  ///< rows that are dynamic or more likely so than not
 
   void add(Label label, const RowClues& clues);
   void add_vanish_test(bool row_vanished) {

@@ -39,6 +39,7 @@ void Mapper::State::separate_ground() {
 }
 
 void Mapper::State::find_clues() {
+  constexpr float kLeaning = 0.45F;  // p_static
   tbb::parallel_for(std::size_t{0}, hit_blocks.size(), [this](std::size_t i) {
     const std::uint32_t* rows = &rows_by_block[hit_blocks[i].first_row];
     const std::uint32_t* const end = rows + hit_blocks[i].row_count;
@@ -51,6 +52,7 @@ void Mapper::State::find_clues() {
     for (const std::uint32_t* row = rows; row < end; ++row) {
       if (clusters.of_row()[*row] == Clusters::kNone) continue;
       clues[*row].followed = (moving & cell_bit(voxel_of_row[*row].place)) != 0;
+      clues[*row].leaning = parameters.lean_together && labels.p_static[*row] < kLeaning;
       clues[*row].established = labels.label[*row] == Label::kStatic && on_old_surface[*row] != 0;
     }
   });

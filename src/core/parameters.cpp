@@ -81,9 +81,10 @@ Parameters preset(const std::string& name) {
   p.support_rate_when_dynamic = p.support_rate_r.front();
   p.history_recent = p.history_spread = 0;
   p.conflict_beside_surface = p.conflict_porous = 1;
+  p.conflict_reach_voxels = 0;
   p.full_support_on_return = false;
   p.resolve_objects = false;
-  p.take_feet_along = false;
+  p.lean_together = p.take_feet_along = false;
   p.gate_voxel_support = 3;  // section 2.1
   p.gate_neighbourhood_support = 60;
   p.gate_grid_support = 12;

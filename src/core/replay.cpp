@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "beam_share.hpp"
 #include "for_rows.hpp"
 #include "mapper_state.hpp"
 #include "vector_clones.hpp"
@@ -62,6 +63,7 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
     batch.z_map_m[batch.size] = point_map_m.z();
     batch.log_odds[batch.size] = batch.conflict_factor[batch.size] = 0;
   }
+  const BeamShare share = beam_share();
   history.for_each([&](const ScanView& earlier) {
     see(batch, earlier.origin_map_m, earlier.R_sensor_map);
     earlier.find_told(batch.size, batch.azimuth_rad, batch.elevation_rad, batch.range_m, models, batch.told);
@@ -77,8 +79,9 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
       if (support && !may_support) continue;
       float& factor = batch.conflict_factor[i];
       if (!support && factor <= 0) factor = replay_conflict_factor(voxel_of_row[batch.rows[i]]);
+      const float weight = support ? 1.0F : factor * share.at(batch.range_m[i]);
       const float log_odds = batch.log_odds[i];
-      batch.log_odds[i] = recursion(log_odds, (support ? 1.0F : factor) * evidence.increment(log_odds));
+      batch.log_odds[i] = recursion(log_odds, weight * evidence.increment(log_odds));
     }
   });
   for (std::size_t i = 0; i < batch.size; ++i) {

@@ -15,7 +15,10 @@ struct Case {
 TEST(Votes, Verdict) {
   const Case cases[] = {
       {"nobody says anything", {100, 0, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
-      {"a few rows prove nothing", {3, 3, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"two rows prove nothing", {2, 2, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"half of it leans towards moving", {100, 0, 0, 0, 0, 0, 0, 50}, Reason::kObjectMoves},
+      {"less than half does", {100, 0, 0, 0, 0, 0, 0, 49}, Reason::kMixedEvidence},
+      {"it leans, but it stood there before", {100, 0, 11, 11, 0, 0, 0, 60}, Reason::kMixedEvidence},
       {"all decided rows move", {100, 20, 0, 0, 0, 0, 0}, Reason::kObjectMoves},
       {"under a tenth of the rows moves", {100, 9, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
       {"61 % of the decided rows move", {100, 61, 39, 0, 0, 0, 0}, Reason::kObjectMoves},

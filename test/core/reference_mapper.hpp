@@ -47,6 +47,7 @@ class Mapper {
   struct Fused {
     double conflict = 0;
     bool support = false;
+    double range_m = 1;
   };
 
   static double kept(double log_odds) { return std::round(log_odds * 2048) / 2048; }
@@ -124,6 +125,7 @@ class Mapper {
   Fused evidence(const View& view, const Eigen::Vector3d& point_map_m) const {
     const Direction d = seen(view.T_sensor_map * point_map_m);
     Fused fused;
+    fused.range_m = d.range_m;
     for (std::size_t r = 0; r < view.levels.size(); ++r) add_level(fused, d.range_m, view.levels[r].at(d), r);
     return fused;
   }
@@ -143,6 +145,15 @@ class Mapper {
     return std::clamp((1 - p_.forgetting) * log_odds + increment, p_.log_odds_min, p_.log_odds_max);
   }
 
+  /// Between beams farther apart than conflict_reach_voxels a conflict counts less.
+  double share(double range_m) const {
+    constexpr double kRad = 3.14159265358979 / 180;
+    const double reach_m = p_.conflict_reach_voxels * p_.voxel_size_m;
+    if (reach_m <= 0) return 1;
+    const double along = std::min(1.0, reach_m / (p_.ring_spacing_deg * kRad * range_m));
+    return std::max(0.15, along * std::min(1.0, reach_m / (p_.azimuth_step_deg * kRad * range_m)));
+  }
+
   /// Every voxel known before compares its own range with the images.
   void judge_all(const View& view) {
     known_surface_.update(voxels_, scan_, p_.p_static_min);
@@ -155,10 +166,10 @@ class Mapper {
       }
       const Fused fused = evidence(view, surface_of(key, voxel));
       if (fused.conflict > 0) voxel.was_seen_through = true;
-      const double porous = voxel.came_back ? p_.conflict_porous : 1;
+      const double porous = voxel.came_back || known_surface_.is_porous_beside(key) ? p_.conflict_porous : 1;
       const double beside =
           fused.conflict > 0 && known_surface_.stands_beside(key, scan_) ? p_.conflict_beside_surface : 1;
-      voxel.log_odds = kept(updated(voxel.log_odds, fused, porous * beside));
+      voxel.log_odds = kept(updated(voxel.log_odds, fused, porous * beside * share(fused.range_m)));
     }
   }
 
@@ -188,7 +199,7 @@ class Mapper {
         Fused fused = evidence(*views_[i], point_map_m);
         const auto age = static_cast<int>(views_.size() - i);
         if (fused.conflict == 0 && age < p_.replay_support_min_age) fused.support = false;
-        log_odds = updated(log_odds, fused, factor);
+        log_odds = updated(log_odds, fused, factor * share(fused.range_m));
       }
     return p_.hit_is_support ? updated(log_odds, {0, true}) : log_odds;
   }
