@@ -7,7 +7,8 @@
 namespace stillmap {
 
 /// How much a conflict counts where beams pass on both sides of an element rather than through it: about the
-/// chance that one of them met it. Leaves, poles and rails slip between the beams of a sparse scan.
+/// chance that one of them met it. Leaves, poles and rails slip between the beams of a sparse scan. The map's
+/// own voxels take its square root: they are met again and again, and must clear.
 class BeamShare {
  public:
   /// Surface within `reach_m` of a beam counts as met; 0: all conflicts count in full.

@@ -70,14 +70,16 @@ void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockPr
   });
   if (conflicts.empty()) return;
   const CellMask surface = near_standing_surface(block.key(), seen_through);
+  constexpr int kEmpty = 8;  // scans that saw through it: no leaf hides for so long
   const CellMask porous = near_porous(block.key(), seen_through);
   const BeamShare share = beam_share();
   for (const Conflict& conflict : conflicts) {
     conflict.voxel->see_through();
     const CellMask cell = cell_bit(conflict.place);
-    const bool is_porous = conflict.voxel->came_back != 0 || (porous & cell) != 0;
+    const bool is_porous =
+        conflict.voxel->came_back != 0 || (conflict.voxel->seen_through < kEmpty && (porous & cell) != 0);
     const float factor = conflict_factor(is_porous, (surface & cell) != 0);
-    update(*conflict.voxel, conflict.evidence, factor * share.at(conflict.range_m));
+    update(*conflict.voxel, conflict.evidence, factor * std::sqrt(share.at(conflict.range_m)));
   }
 }
 

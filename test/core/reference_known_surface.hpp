@@ -19,7 +19,8 @@ struct Voxel {
   double log_odds = 0;
   Eigen::Vector3d surface = Eigen::Vector3d::Constant(0.5);  ///< in voxel edges
   int born = 0, last_hit = 0, hits = 0;
-  bool was_seen_through = false, came_back = false;
+  int seen_through = 0;  ///< scans
+  bool came_back = false;
 };
 
 /// Where surface is known to stand, and where it is porous: cells of 2 x 2 x 2 voxels, remembered for regions

@@ -95,7 +95,7 @@ class Mapper {
   void hit(Voxel& voxel, const Eigen::Vector3d& offset, bool created) const {
     if (created) voxel.born = scan_;
     if (voxel.last_hit != scan_) {
-      if (voxel.was_seen_through && scan_ - voxel.last_hit >= 2) voxel.came_back = true;
+      if (voxel.seen_through > 0 && scan_ - voxel.last_hit >= 2) voxel.came_back = true;
       ++voxel.hits;
       voxel.last_hit = scan_;
     }
@@ -165,11 +165,14 @@ class Mapper {
         continue;
       }
       const Fused fused = evidence(view, surface_of(key, voxel));
-      if (fused.conflict > 0) voxel.was_seen_through = true;
-      const double porous = voxel.came_back || known_surface_.is_porous_beside(key) ? p_.conflict_porous : 1;
+      if (fused.conflict > 0) ++voxel.seen_through;
+      const bool is_porous =
+          voxel.came_back || (voxel.seen_through < 8 && known_surface_.is_porous_beside(key));
+      const double porous = is_porous ? p_.conflict_porous : 1;
       const double beside =
           fused.conflict > 0 && known_surface_.stands_beside(key, scan_) ? p_.conflict_beside_surface : 1;
-      voxel.log_odds = kept(updated(voxel.log_odds, fused, porous * beside * share(fused.range_m)));
+      voxel.log_odds =
+          kept(updated(voxel.log_odds, fused, porous * beside * std::sqrt(share(fused.range_m))));
     }
   }
 
