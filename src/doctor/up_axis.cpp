@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kReach_m = 15.0F, kSlab_m = 0.2F, kNearestPlane_m = 0.2F, kFarthestPlane_m = 5.0F;
 constexpr std::size_t kWide_m2 = 150;  // no wall of a room, no facade within reach
-constexpr double kClearly = 3.0;  // facades of an alley reach twice its ground
+constexpr double kClearly = 3.0;       // facades of an alley reach twice its ground
 
 /// Square metres of the widest slab across `axis`, at either side of the sensor.
 std::size_t widest_slab_m2(const std::vector<Eigen::Vector3f>& points, int axis) {
