@@ -54,6 +54,8 @@ void ScanPairing::add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   const auto stamp_ns = static_cast<std::int64_t>(cloud->header.stamp.toNSec());
   if (newest_cloud_ns_ && stamp_ns < *newest_cloud_ns_ - kRestart_ns) {
     restart("the stamps jumped back by " + seconds(*newest_cloud_ns_ - stamp_ns));
+    // Its pose may come after it: poses from before the jump must not answer for it.
+    if (!odometry_.empty() && odometry_.newest_stamp_ns() > stamp_ns + kRestart_ns) odometry_.clear();
   }
   if ((last_taken_ns_ && stamp_ns <= *last_taken_ns_) || clouds_.count(stamp_ns)) {
     drop("late", "its stamp is not after the one before");

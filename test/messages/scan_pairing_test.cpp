@@ -143,6 +143,17 @@ TEST(ScanPairing, BeginsAnewWhenTheStampsJumpBack) {
   EXPECT_EQ(pairing.dropped().at("jumped_back"), 1u);
 }
 
+TEST(ScanPairing, AfterAJumpBackACloudWaitsForItsPose) {
+  ScanPairing pairing(PairingOptions{});
+  pairing.add_odometry(odometry(100 * kSecond_ns, 0));
+  pairing.add_cloud(make_cloud({kPoint}, 100 * kSecond_ns));
+  ASSERT_TRUE(pairing.next());
+  pairing.add_cloud(make_cloud({kPoint}, kSecond_ns));
+  EXPECT_FALSE(pairing.next());
+  pairing.add_odometry(odometry(kSecond_ns, 0));
+  EXPECT_TRUE(pairing.next()) << "the cloud came before its pose";
+}
+
 TEST(ScanPairing, AnUnreadableCloudIsCountedAndTheNextOneComes) {
   ScanPairing pairing(PairingOptions{});
   const auto bad = make_cloud({kPoint}, kSecond_ns);
