@@ -5,10 +5,10 @@ set -euo pipefail
 
 packages=(
   # ROS 1: build and message generation
-  catkin cmake make g++ python3-empy ros-message-generation ros-std-msgs
+  catkin cmake make g++ python3-empy ros-geometry-msgs ros-message-generation ros-std-msgs
   # ROS 1: libraries
   libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev
-  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev pluginlib-dev
+  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev
   # ROS 1: tools at run time
   libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
   python3-sensor-msgs python3-std-srvs rosout
@@ -17,7 +17,7 @@ packages=(
   # Clients that the tests drive
   octomap-tools pcl-tools python3-dynamic-reconfigure python3-rostopic
   # Other libraries
-  libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev robin-map-dev
+  libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev robin-map-dev
   libzstd-dev zlib1g-dev
   # Figures
   python3-matplotlib python3-numpy

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stillmap/parameters.hpp"
 #include "stillmap/types.hpp"
 
 namespace stillmap {
@@ -15,5 +16,9 @@ struct Decision {
     return Label::kUncertain;
   }
 };
+
+inline Decision decision_of(const Parameters& parameters) {
+  return {static_cast<float>(parameters.p_static_min), static_cast<float>(parameters.p_dynamic_max)};
+}
 
 }  // namespace stillmap

@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "stillmap/explanation.hpp"
 #include "stillmap/map_contents.hpp"
 #include "stillmap/map_snapshot.hpp"
+#include "stillmap/moving_box.hpp"
 #include "stillmap/parameters.hpp"
+#include "stillmap/stamped_pose.hpp"
 #include "stillmap/tile_store.hpp"
 #include "stillmap/types.hpp"
 
@@ -52,6 +55,26 @@ class Mapper {
   std::vector<TileKey> tiles() const;
   std::vector<BlockContents> export_tile(const TileKey& key) const;
 
+  /// As if the mapper had been made anew and imported the map.
+  void load_map(const MapContents& contents);
+  /// Why the map says what it says of a place, by the scans that are kept to judge new voxels.
+  Explanation explain(const Eigen::Vector3d& point_map_m) const;
+  /// Upright boxes around what moves in the scan of the last process(), which is given again.
+  std::vector<MovingBox> moving_boxes(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) const;
+
+  /// Repair by hand: forget the voxels whose surface lies in the box, or have them certain of a label. They
+  /// return how many there were. Throw std::invalid_argument on an empty box or Label::kInvalid.
+  std::size_t clear_box(const Eigen::AlignedBox3d& box_map_m);
+  std::size_t relabel_box(const Eigen::AlignedBox3d& box_map_m, Label label);
+
+  /// Moves the map along with a trajectory whose past was corrected, a loop closure: poses of the first LiDAR
+  /// after the correction, or how the newest pose was moved, an error that grew with the way since the last
+  /// correction. Scans that follow come in the corrected frame. Throw std::invalid_argument, the map as it
+  /// was, when submap_length_m is 0 or no pose lies in the time of the scans.
+  TrajectoryCorrection correct_trajectory(const std::vector<StampedPose>& corrected);
+  TrajectoryCorrection correct_newest_pose(const Eigen::Isometry3d& T_new_old);
+
+  std::uint64_t revision() const;   ///< grows with each change of the map
   std::size_t voxel_count() const;  ///< in memory
   std::int64_t stamp_ns() const;    ///< of the newest scan
   std::size_t scan_count() const;   ///< processed since the start or the last reset()

@@ -79,6 +79,11 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "a voxel hit again after it was seen through gets the full support_rate: porous things do that, "
        "movers do not");
 
+  number(
+      "submap_length_m", "m", 0.0, 1000.0, p.submap_length_m,
+      "the map can follow a corrected trajectory, in pieces that each were first seen on so much of the way; "
+      "0 = off");
+
   flag("resolve_objects", p.resolve_objects,
        "an object with a clear majority, or a known surface, decides its undecided points");
   flag("follow_objects", p.follow_objects,

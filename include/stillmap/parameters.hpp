@@ -60,6 +60,9 @@ struct Parameters {
   double conflict_reach_voxels = 1.2;
   bool full_support_on_return = true;
 
+  // Loop closures.
+  double submap_length_m = 0.0;
+
   // Objects and surfaces.
   bool resolve_objects = true;
   bool follow_objects = true;

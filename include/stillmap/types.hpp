@@ -11,6 +11,7 @@ namespace stillmap {
 struct Scan {
   std::int64_t stamp_ns = 0;
   std::vector<Eigen::Vector3f> points;  ///< sensor frame, metres; NaN or (0,0,0) = no return
+  int sensor = 0;  ///< which LiDAR of the robot it came from: each has its own beams and history
 };
 
 /// The decision on a point or voxel, eq. (9).

@@ -24,18 +24,21 @@ struct Voxel {
     log_odds_fixed = static_cast<std::int16_t>(value * kLogOddsScale + (value < 0 ? -0.5F : 0.5F));
   }
 
-  /// A return of the present scan from it; `offset` is its place in voxel edges from the low corner.
-  void hit(const Eigen::Vector3f& offset) {
+  /// A return of the present scan from it; `offset` is its place in voxel edges from the low corner. Scans of
+  /// `sensors` LiDARs come in turn.
+  void hit(const Eigen::Vector3f& offset, std::size_t sensors = 1) {
     constexpr float kNewReturn = 0.25F;  // weight against the returns before
     const bool first = hits == 0;
     if (first || idle > 0) {
-      came_back = came_back || (seen_through > 0 && idle >= 2);
+      came_back = came_back || (seen_through > 0 && idle > sensors);
       if (hits < 0xFF) ++hits;
     }
     idle = 0;
     const Eigen::Vector3f before = surface_offset();
-    const Eigen::Vector3f mean = first ? offset : before + kNewReturn * (offset - before);
-    surface = static_cast<std::uint16_t>(bits(mean.x()) | bits(mean.y()) << 5 | bits(mean.z()) << 10);
+    set_surface(first ? offset : before + kNewReturn * (offset - before));
+  }
+  void set_surface(const Eigen::Vector3f& offset) {
+    surface = static_cast<std::uint16_t>(bits(offset.x()) | bits(offset.y()) << 5 | bits(offset.z()) << 10);
   }
   void see_through() {
     if (seen_through < 0x7F) seen_through = static_cast<std::uint8_t>(seen_through + 1) & 0x7F;

@@ -75,10 +75,11 @@ STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
   block.age(scan_count);
   const Eigen::Vector3f centre = Eigen::Vector3f::Constant(0.5F);
   const std::uint32_t* rows = &rows_by_block[hit.first_row];
+  const std::size_t lidars = sensors.size();
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     bool created = false;
     const Eigen::Vector3f offset = parameters.surface_in_voxel ? located.offset(rows[i]) : centre;
-    block.find_or_create(located.place[rows[i]], created).hit(offset);
+    block.find_or_create(located.place[rows[i]], created).hit(offset, lidars);
     if (created) new_rows[hit.first_row + hit.new_count++] = rows[i];
   }
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {

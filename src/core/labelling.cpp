@@ -24,7 +24,7 @@ void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     const std::uint32_t row = rows_by_block[hit.first_row + i];
     const Voxel& voxel = hit.block->stored(voxel_of_row[row].rank);
-    on_old_surface[row] = voxel.age >= kYoungScans;
+    on_old_surface[row] = voxel.age >= scans_of_all(kYoungScans);
     labels.p_static[row] = p_static[voxel.log_odds_fixed];
     labels.label[row] = decision(labels.p_static[row]);
     labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);

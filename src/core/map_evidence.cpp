@@ -72,7 +72,7 @@ void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockPr
   const CellMask surface = near_standing_surface(block.key(), seen_through);
   constexpr int kEmpty = 8;  // scans that saw through it: no leaf hides for so long
   const CellMask porous = near_porous(block.key(), seen_through);
-  const BeamShare share = beam_share();
+  const BeamShare share = beam_share(beams);
   for (const Conflict& conflict : conflicts) {
     conflict.voxel->see_through();
     const CellMask cell = cell_bit(conflict.place);
@@ -100,8 +100,8 @@ float Mapper::State::conflict_factor(bool is_porous, bool beside_surface) const 
   return static_cast<float>(beside_surface ? porous * parameters.conflict_beside_surface : porous);
 }
 
-BeamShare Mapper::State::beam_share() const {
-  return {static_cast<float>(parameters.conflict_reach_voxels * map.voxel_size_m()), beams};
+BeamShare Mapper::State::beam_share(const SensorGeometry& of_beams) const {
+  return {static_cast<float>(parameters.conflict_reach_voxels * map.voxel_size_m()), of_beams};
 }
 
 }  // namespace stillmap

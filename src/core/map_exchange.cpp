@@ -31,17 +31,35 @@ std::vector<BlockContents> Mapper::export_tile(const TileKey& key) const {
   return state_->rolling.contents(key, state_->scan_count);
 }
 
-void Mapper::import_map(const MapContents& contents) {
-  State& s = *state_;
-  if (contents.voxel_size_m != s.map.voxel_size_m())
+void Mapper::State::require_importable(const MapContents& contents) const {
+  if (contents.voxel_size_m != map.voxel_size_m())
     throw std::invalid_argument("the map's voxels are " + std::to_string(contents.voxel_size_m) +
-                                " m large and voxel_size_m is " + std::to_string(s.map.voxel_size_m()) +
+                                " m large and voxel_size_m is " + std::to_string(map.voxel_size_m()) +
                                 "; set voxel_size_m to the map's, or build the map anew");
   for (const BlockContents& block : contents.blocks)
     if (*problem(block) != '\0')
       throw std::invalid_argument(std::string("the map to import: ") + problem(block));
+}
+
+void Mapper::load_map(const MapContents& contents) {
+  state_->require_importable(contents);
+  reset();
+  import_map(contents);
+}
+
+void Mapper::import_map(const MapContents& contents) {
+  State& s = *state_;
+  s.require_importable(contents);
   s.rolling.import(contents.blocks, s.scan_count);
   s.stamp_ns = std::max(s.stamp_ns, contents.stamp_ns);
+  ++s.revision;
+  if (!s.submaps.enabled()) return;
+  std::vector<PlacedVoxel> voxels;
+  for (const BlockContents& block : contents.blocks)
+    for_each_voxel(block, [&](int place, const Voxel& voxel) {
+      voxels.push_back({voxel_key(block.key, place), voxel});
+    });
+  s.submaps.add_unanchored(std::move(voxels));
 }
 
 }  // namespace stillmap

@@ -44,18 +44,24 @@ void require_rigid(const Eigen::Isometry3d& T_map_sensor) {
     throw std::invalid_argument("T_map_sensor: its rotation is not a rotation matrix; the scan is not used");
 }
 
+void require_sensor(int sensor) {
+  constexpr int kMostSensors = 16;
+  if (sensor < 0 || sensor >= kMostSensors)
+    throw std::invalid_argument("scan of sensor " + std::to_string(sensor) + ": number them from 0 to " +
+                                std::to_string(kMostSensors - 1) + "; the scan is not used");
+}
+
 }  // namespace
 
 Mapper::State::State(const Parameters& p)
     : parameters((require_valid(p), p)),
       models(level_models(p)),
       recursion(recursion_of(p)),
-      decision{static_cast<float>(p.p_static_min), static_cast<float>(p.p_dynamic_max)},
-      geometry(given_geometry(p)),
+      decision(decision_of(p)),
       map(p.voxel_size_m),
       rolling(map, reach_m() + kColumnsAround_m, p.rolling_radius_m),
+      submaps(p.submap_length_m),
       own_hit(hit_evidence(models)),
-      history(p.history_recent, p.history_spread),
       arena(p.threads),
       every_voxel_is_judged(p.evidence_goes_to == "every_voxel") {
   if (p.hit_is_support) untold.set_log_odds(recursion(0, own_hit.increment(0)));
@@ -68,8 +74,10 @@ Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
   require_rigid(T_map_sensor);
+  require_sensor(scan.sensor);
   State& s = *state_;
   ++s.scan_count;
+  ++s.revision;
   s.stamp_ns = scan.stamp_ns;
   s.arena.execute([&] {
     ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
@@ -85,21 +93,34 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
     s.ended(Stage::kDecision);
     if (s.parameters.resolve_objects) s.resolve_objects(scan, T_map_sensor, view);
     s.ended(Stage::kObjects);
-    s.history.add(std::move(view));
+    if (s.submaps.enabled()) s.remember_for_corrections(scan, T_map_sensor, view);
+    s.sensor(scan.sensor).history.add(std::move(view));
   });
   return s.labels;
+}
+
+SensorState& Mapper::State::sensor(int index) {
+  while (sensors.size() <= static_cast<std::size_t>(index))
+    sensors.push_back({GeometryEstimator(given_geometry(parameters)),
+                       ScanHistory(parameters.history_recent, parameters.history_spread)});
+  return sensors[static_cast<std::size_t>(index)];
 }
 
 ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
   const auto max_range_m = static_cast<float>(parameters.max_range_m);
   project(scan, static_cast<float>(parameters.min_range_m), max_range_m, projected);
-  beams = geometry.update(projected);
+  SensorState& from = sensor(scan.sensor);
+  ++from.scans;
+  beams = from.beams = from.geometry.update(projected);
   std::vector<RangeImage> levels;
   for (const double level_deg : parameters.angular_levels_deg)
     levels.push_back(level_deg > 0
                          ? RangeImage::nearest(projected, static_cast<float>(level_deg) * kRad, max_range_m)
                          : RangeImage::bracketed(projected, beams, max_range_m));
-  return ScanView(scan_count, T_map_sensor, std::move(levels));
+  ScanView view(from.scans, T_map_sensor, std::move(levels));
+  view.stamp_ns = scan.stamp_ns;
+  view.sensor = static_cast<std::size_t>(scan.sensor);
+  return view;
 }
 
 void Mapper::State::evidence_of(const ScanView& view) {
@@ -118,6 +139,9 @@ std::int64_t Mapper::stamp_ns() const {
 std::size_t Mapper::scan_count() const {
   return state_->scan_count;
 }
+std::uint64_t Mapper::revision() const {
+  return state_->revision;
+}
 const Parameters& Mapper::parameters() const {
   return state_->parameters;
 }
@@ -130,7 +154,7 @@ void Mapper::set_decision(double p_static_min, double p_dynamic_max) {
   changed.p_dynamic_max = p_dynamic_max;
   require_valid(changed);
   state_->parameters = changed;
-  state_->decision = {static_cast<float>(p_static_min), static_cast<float>(p_dynamic_max)};
+  state_->decision = decision_of(changed);
 }
 void Mapper::set_listener(StageListener* listener) {
   state_->listener = listener;
@@ -141,11 +165,12 @@ void Mapper::set_tile_store(TileStore* store) {
 }
 
 void Mapper::reset() {
-  StageListener* const listener = state_->listener;
   TileStore* const store = state_->rolling.store();
-  state_ = std::make_unique<State>(Parameters(state_->parameters));
-  state_->listener = listener;
-  state_->rolling.set_store(store);
+  auto fresh = std::make_unique<State>(Parameters(state_->parameters));
+  fresh->listener = state_->listener;
+  fresh->revision = state_->revision + 1;
+  fresh->rolling.set_store(store);
+  state_ = std::move(fresh);
   if (store != nullptr) store->clear();
 }
 

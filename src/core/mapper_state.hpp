@@ -5,6 +5,8 @@
 #include <tbb/task_arena.h>
 #include <tsl/robin_set.h>
 
+#include <functional>
+
 #include "beam_share.hpp"
 #include "block_projection.hpp"
 #include "clusters.hpp"
@@ -19,6 +21,7 @@
 #include "stillmap/projection.hpp"
 #include "stillmap/sensor_geometry.hpp"
 #include "stillmap/voxel_map.hpp"
+#include "submaps.hpp"
 
 namespace stillmap {
 
@@ -39,6 +42,14 @@ struct HitBlock {
   std::uint32_t first_row = 0, row_count = 0, new_count = 0;
 };
 
+/// What is kept of each LiDAR.
+struct SensorState {
+  GeometryEstimator geometry;
+  ScanHistory history;
+  SensorGeometry beams{};  ///< as its last scan left them
+  std::uint32_t scans = 0;
+};
+
 /// All that a Mapper holds. The steps of process() are its functions, each in the file named above it.
 struct Mapper::State {
   explicit State(const Parameters& parameters);
@@ -48,17 +59,18 @@ struct Mapper::State {
   Recursion recursion;
   Decision decision;
   ProbabilityTable p_static;
-  GeometryEstimator geometry;
-  VoxelMap map;        ///< what a scan can touch
-  RollingMap rolling;  ///< all of it
+  std::vector<SensorState> sensors;  ///< by Scan::sensor
+  VoxelMap map;                      ///< what a scan can touch
+  RollingMap rolling;                ///< all of it
+  Submaps submaps;
   FusedEvidence own_hit;
-  ScanHistory history;
   tbb::task_arena arena;
   bool every_voxel_is_judged;  ///< or only the nearest of each pixel
   Voxel untold;                ///< a new voxel that no earlier scan said anything about
   StageListener* listener = nullptr;
   std::uint32_t scan_count = 0;
   std::int64_t stamp_ns = 0;
+  std::uint64_t revision = 0;
 
   // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
   SensorGeometry beams;
@@ -83,6 +95,11 @@ struct Mapper::State {
   std::vector<std::uint8_t> takes_part;     ///< by row, for Clusters
 
   // mapper.cpp
+  SensorState& sensor(int index);
+  /// Memories are told in scans of one LiDAR; the map counts the scans of all.
+  std::uint32_t scans_of_all(std::uint32_t scans_of_one) const {
+    return scans_of_one * static_cast<std::uint32_t>(sensors.size());
+  }
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
   void evidence_of(const ScanView& view);
   /// No return, and no voxel that a return says something about, lies in a block whose corner is farther.
@@ -122,7 +139,7 @@ struct Mapper::State {
   void update(Voxel& voxel, const FusedEvidence& evidence, float factor) const;
   void support(Voxel& voxel) const;
   float conflict_factor(bool is_porous, bool beside_surface) const;
-  BeamShare beam_share() const;
+  BeamShare beam_share(const SensorGeometry& of_beams) const;
 
   // nearest_voxel_evidence.cpp: the literal reading, only the nearest voxel of a pixel is judged
   void apply_evidence_to_nearest(const ScanView& view);
@@ -154,6 +171,27 @@ struct Mapper::State {
     }
     return any != 0 ? grown(around) & asked : 0;
   }
+
+  // explain.cpp
+  std::vector<PlaceEvidence> evidence_about(const Eigen::Vector3d& place_map_m, const ScanView& view) const;
+
+  // map_exchange.cpp
+  void require_importable(const MapContents& contents) const;
+
+  // map_repair.cpp: edits every voxel in the box; one for which `edit` says false is forgotten
+  std::size_t edit_box(const Eigen::AlignedBox3d& box_map_m, const std::function<bool(Voxel&)>& edit);
+
+  // loop_closure.cpp: the map as submaps that a corrected trajectory moves; only with submap_length_m
+  using StandingCells = tsl::robin_map<std::uint64_t, CellMask, BlockKeyHash>;  ///< by packed block key
+  void remember_for_corrections(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                                const ScanView& view);
+  void require_submaps() const;
+  TrajectoryCorrection correct(const PastCorrection& correction);
+  void move_submaps(const PastCorrection& correction);
+  void place_submaps();
+  void place(const Submap& submap);
+  StandingCells standing_cells(const Submap& submap) const;
+  void judge_again(const ScanView& view, VoxelBlock& block, const StandingCells& standing);
 
   // labelling.cpp
   void decide(const ScanView& view);

@@ -16,8 +16,8 @@ void Mapper::State::find_known_surface(VoxelBlock& block) const {
   block.standing = block.porous = 0;
   block.for_each([&](int place, const Voxel& voxel) {
     const CellMask cell = cell_bit(place);
-    const bool stands = (voxel.idle <= kStandingMemoryScans) & (voxel.hits >= kEstablishedHits) &
-                        (voxel.log_odds() >= established);
+    const bool stands = (voxel.idle <= scans_of_all(kStandingMemoryScans)) &
+                        (voxel.hits >= kEstablishedHits) & (voxel.log_odds() >= established);
     const bool porous = (voxel.came_back != 0) & (voxel.log_odds_fixed > 0);
     block.standing |= stands ? cell : 0;
     block.porous |= porous ? cell : 0;
@@ -26,7 +26,7 @@ void Mapper::State::find_known_surface(VoxelBlock& block) const {
 
 CellMask Mapper::State::near_standing_surface(const BlockKey& key, CellMask asked) const {
   return near(key, asked, [this](const VoxelBlock& b) {
-    return b.hit_scan + kStandingMemoryScans >= scan_count ? b.standing : CellMask{0};
+    return b.hit_scan + scans_of_all(kStandingMemoryScans) >= scan_count ? b.standing : CellMask{0};
   });
 }
 
@@ -37,7 +37,7 @@ CellMask Mapper::State::near_porous(const BlockKey& key, CellMask asked) const {
 CellMask Mapper::State::near_moving(const BlockKey& key, CellMask asked) const {
   if (around_moving.count(packed(key)) == 0) return 0;
   return near(key, asked, [this](const VoxelBlock& b) {
-    return b.moving_scan + kMovingMemoryScans >= scan_count ? b.moving : CellMask{0};
+    return b.moving_scan + scans_of_all(kMovingMemoryScans) >= scan_count ? b.moving : CellMask{0};
   });
 }
 
@@ -57,7 +57,7 @@ void Mapper::State::remember_moving() {
   std::sort(moving_blocks.begin(), moving_blocks.end());
   moving_blocks.erase(std::unique(moving_blocks.begin(), moving_blocks.end()), moving_blocks.end());
   const auto forgotten = [this](std::uint32_t index) {
-    return map.block(index).moving_scan + kMovingMemoryScans <= scan_count;
+    return map.block(index).moving_scan + scans_of_all(kMovingMemoryScans) <= scan_count;
   };
   moving_blocks.erase(std::remove_if(moving_blocks.begin(), moving_blocks.end(), forgotten),
                       moving_blocks.end());

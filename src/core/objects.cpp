@@ -88,6 +88,7 @@ void Mapper::State::count_votes() {
 void Mapper::State::test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                                   const ScanView& view) {
   if (!parameters.vanish_test) return;
+  const ScanHistory& history = sensors[static_cast<std::size_t>(scan.sensor)].history;
   const std::array<const ScanView*, 4> before = {history.recent(1), history.recent(2), history.recent(4),
                                                  history.recent(8)};
   tbb::parallel_for(std::size_t{0}, scan.points.size(), [&](std::size_t row) {

@@ -66,6 +66,10 @@ std::vector<std::string> problems(const Parameters& parameters) {
     check.found.push_back("min_range_m: not below max_range_m");
   if (parameters.rolling_radius_m > 0 && parameters.rolling_radius_m < parameters.max_range_m)
     check.found.push_back("rolling_radius_m: below max_range_m; give 0 (off) or at least that");
+  if (parameters.rolling_radius_m > 0 && parameters.submap_length_m > 0)
+    check.found.push_back(
+        "submap_length_m: does not go with rolling_radius_m, as far tiles cannot be moved; set one of them "
+        "to 0");
   return check.found;
 }
 

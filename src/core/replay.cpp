@@ -63,12 +63,11 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
     batch.z_map_m[batch.size] = point_map_m.z();
     batch.log_odds[batch.size] = batch.conflict_factor[batch.size] = 0;
   }
-  const BeamShare share = beam_share();
-  history.for_each([&](const ScanView& earlier) {
+  const auto judge = [&](const ScanView& earlier, std::uint32_t newest_scan, const BeamShare& share) {
     see(batch, earlier.origin_map_m, earlier.R_sensor_map);
     earlier.find_told(batch.size, batch.azimuth_rad, batch.elevation_rad, batch.range_m, models, batch.told);
     // What moves slowly was nearly here a moment ago: only older scans speak for the surface.
-    const auto age = static_cast<int>(scan_count - earlier.scan_index);
+    const auto age = static_cast<int>(newest_scan - earlier.scan_index);
     const bool may_support = age >= parameters.replay_support_min_age;
     for (std::size_t i = 0; i < batch.size; ++i) {
       if (batch.told[i] == 0) continue;
@@ -83,7 +82,11 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
       const float log_odds = batch.log_odds[i];
       batch.log_odds[i] = recursion(log_odds, weight * evidence.increment(log_odds));
     }
-  });
+  };
+  for (const SensorState& sensor : sensors) {
+    const BeamShare share = beam_share(sensor.beams);
+    sensor.history.for_each([&](const ScanView& earlier) { judge(earlier, sensor.scans, share); });
+  }
   for (std::size_t i = 0; i < batch.size; ++i) {
     float log_odds = batch.log_odds[i];
     if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));

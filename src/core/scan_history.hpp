@@ -22,6 +22,11 @@ class ScanHistory {
     for (const Entry& entry : spread_) visit(entry.view);
     for (const Entry& entry : recent_) visit(entry.view);
   }
+  template <class Visitor>
+  void for_each(Visitor&& visit) {
+    for (Entry& entry : spread_) visit(entry.view);
+    for (Entry& entry : recent_) visit(entry.view);
+  }
   /// The scan `age` scans before the next one to be added (1 = the newest), or nullptr.
   const ScanView* recent(std::size_t age) const {
     return age <= recent_.size() && age > 0 ? &recent_[recent_.size() - age].view : nullptr;

@@ -23,6 +23,12 @@ class ScanView {
     return R_sensor_map * (point_map_m - origin_map_m).cast<float>();
   }
 
+  /// The same scan from a corrected place.
+  void move(const Eigen::Isometry3d& T_new_old) {
+    origin_map_m = T_new_old * origin_map_m;
+    R_sensor_map = (R_sensor_map.cast<double>() * T_new_old.linear().transpose()).cast<float>();
+  }
+
   /// The evidence of this scan about an element at `point_sensor_m`, all levels fused.
   FusedEvidence evidence(const Eigen::Vector3f& point_sensor_m, const std::vector<LevelModel>& models) const {
     return evidence(spherical(point_sensor_m), models);
@@ -56,7 +62,9 @@ class ScanView {
 
   const std::vector<RangeImage>& levels() const { return levels_; }
 
-  std::uint32_t scan_index;
+  std::uint32_t scan_index;  ///< among those of its sensor
+  std::int64_t stamp_ns = 0;
+  std::size_t sensor = 0;  ///< that took it
   Eigen::Vector3d origin_map_m;
   Eigen::Matrix3f R_sensor_map;
 

@@ -54,10 +54,9 @@ std::string name_of(std::size_t cloud) {
 BagSequence::BagSequence(const std::string& file, const BagInput& input)
     : file_(file), pairing_(input.pairing) {
   open_for_reading(bag_, file);
-  const std::string cloud_topic =
-      choose_topic(bag_, input.cloud_topic, "sensor_msgs/PointCloud2", "--cloud-topic");
+  cloud_topic_ = choose_topic(bag_, input.cloud_topic, "sensor_msgs/PointCloud2", "--cloud-topic");
   const std::string odom_topic = choose_topic(bag_, input.odom_topic, "nav_msgs/Odometry", "--odom-topic");
-  pair_clouds(cloud_topic, read_poses(odom_topic));
+  pair_clouds(cloud_topic_, read_poses(odom_topic));
 }
 
 PoseBuffer BagSequence::read_poses(const std::string& topic) {

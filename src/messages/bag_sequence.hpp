@@ -31,6 +31,10 @@ class BagSequence : public Sequence {
   std::size_t size() const override { return entries_.size(); }
   Frame read(std::size_t index) override;
 
+  const std::string& cloud_topic() const { return cloud_topic_; }
+  /// Place of a frame's cloud among all clouds of the topic, in the bag's order.
+  std::size_t cloud_of(std::size_t index) const { return entries_.at(index).cloud; }
+
   /// One line for each kind of message that was left out; empty when none was.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -43,7 +47,7 @@ class BagSequence : public Sequence {
   PoseBuffer read_poses(const std::string& topic);
   void pair_clouds(const std::string& topic, const PoseBuffer& poses);
 
-  std::string file_;
+  std::string file_, cloud_topic_;
   PairingOptions pairing_;
   rosbag::Bag bag_;
   std::unique_ptr<rosbag::View> cloud_view_;  ///< what clouds_ point into

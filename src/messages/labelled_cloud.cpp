@@ -57,18 +57,34 @@ void write_float(std::uint8_t* to, float value, bool is_bigendian) {
 
 }  // namespace
 
-PointCloud2Ptr select_rows(const PointCloud2& cloud, const ScanLabels& labels, Label first, Label second) {
-  const auto wanted = [=](Label label) { return label == first || label == second; };
+PointCloud2Ptr select_rows(const PointCloud2& cloud, const ScanLabels& labels, LabelSet wanted) {
+  const auto is_wanted = [=](Label label) { return wanted.contains(label); };
   PointCloud2Ptr out = like(cloud);
   out->height = 1;
-  out->width = static_cast<std::uint32_t>(std::count_if(labels.label.begin(), labels.label.end(), wanted));
+  out->width = static_cast<std::uint32_t>(std::count_if(labels.label.begin(), labels.label.end(), is_wanted));
   out->row_step = out->width * out->point_step;
   out->data.resize(out->row_step);
   std::uint8_t* to = out->data.data();
   for (std::size_t i = 0; i < labels.label.size(); ++i) {
-    if (!wanted(labels.label[i])) continue;
+    if (!is_wanted(labels.label[i])) continue;
     std::memcpy(to, row_data(cloud, i), cloud.point_step);
     to += cloud.point_step;
+  }
+  return out;
+}
+
+PointCloud2Ptr mask_rows(const PointCloud2& cloud, const ScanLabels& labels, LabelSet unwanted) {
+  auto out = boost::make_shared<PointCloud2>(cloud);
+  out->is_dense = false;
+  for (const PointField& field : cloud.fields) {
+    if (field.name != "x" && field.name != "y" && field.name != "z") continue;
+    const std::size_t bytes = field.datatype == PointField::FLOAT64 ? sizeof(double) : sizeof(float);
+    for (std::size_t i = 0; i < labels.label.size(); ++i) {
+      if (!unwanted.contains(labels.label[i])) continue;
+      const std::ptrdiff_t row = row_data(cloud, i) - cloud.data.data();
+      std::memset(&out->data[static_cast<std::size_t>(row) + field.offset], 0xFF,
+                  bytes);  // a NaN either way round
+    }
   }
   return out;
 }

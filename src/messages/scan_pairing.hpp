@@ -50,6 +50,9 @@ class ScanPairing {
   std::optional<PairedScan> next();
 
   std::size_t waiting() const { return clouds_.size(); }
+  std::optional<std::int64_t> oldest_stamp_ns() const {
+    return clouds_.empty() ? std::nullopt : std::make_optional(clouds_.begin()->first);
+  }
   std::string waiting_for() const;  ///< why the oldest cloud waits; empty when none does
 
   /// Clouds that will never be answered, by reason: queue_full, no_pose, late, jumped_back, unreadable.

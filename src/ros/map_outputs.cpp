@@ -16,13 +16,13 @@ void MapOutputs::set_period(double period_s) {
   period_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period_s));
 }
 
-bool MapOutputs::is_due(const Output& output, std::size_t scan_count) {
-  return output.scan_count != scan_count && output.publisher.getNumSubscribers() > 0;
+bool MapOutputs::is_due(const Output& output, std::uint64_t revision) {
+  return output.revision != revision && output.publisher.getNumSubscribers() > 0;
 }
 
 void MapOutputs::publish_if_due(const Mapper& mapper, const std::string& frame_id) {
-  const std::size_t scan_count = mapper.scan_count();
-  const auto due = [&](const Output& output) { return is_due(output, scan_count); };
+  const std::uint64_t revision = mapper.revision();
+  const auto due = [&](const Output& output) { return is_due(output, revision); };
   if (!due(map_) && !due(static_map_) && !due(octomap_)) return;
   if (Clock::now() - last_ < period_) return;
   last_ = Clock::now();
@@ -30,7 +30,7 @@ void MapOutputs::publish_if_due(const Mapper& mapper, const std::string& frame_i
   const auto publish = [&](Output& output, auto to_message) {
     if (!due(output)) return;
     output.publisher.publish(to_message(*map, frame_id));
-    output.scan_count = scan_count;
+    output.revision = revision;
   };
   publish(map_, to_labelled_map);
   publish(static_map_, to_static_cloud);

@@ -21,10 +21,10 @@ class MapOutputs {
  private:
   struct Output {
     ros::Publisher publisher;
-    std::size_t scan_count = 0;  ///< of the map that was published last
+    std::uint64_t revision = 0;  ///< of the map that was published last
   };
   using Clock = std::chrono::steady_clock;
-  static bool is_due(const Output& output, std::size_t scan_count);
+  static bool is_due(const Output& output, std::uint64_t revision);
 
   Output map_, static_map_, octomap_;
   Clock::duration period_;

@@ -22,10 +22,8 @@ std::size_t count_static(const std::vector<BlockContents>& blocks, const Decisio
 }  // namespace
 
 MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : shared_(shared) {
-  private_nh.setCallbackQueue(&queue_);
   save_map_ = private_nh.advertiseService("save_map", &MapServices::on_save_map, this);
   reset_ = private_nh.advertiseService("reset", &MapServices::on_reset, this);
-  spinner_.start();
 }
 
 std::string MapServices::save(const std::string& path) {
@@ -51,9 +49,9 @@ std::string MapServices::save(const std::string& path) {
 
 void MapServices::save_if_changed(const std::string& path) {
   std::unique_lock lock(shared_.mutex);
-  const std::size_t scan_count = shared_.mapper.scan_count();
-  if (scan_count == 0 || scan_count == saved_scan_count_) return;
-  saved_scan_count_ = scan_count;
+  const std::uint64_t revision = shared_.mapper.revision();
+  if (revision == saved_revision_ || shared_.mapper.voxel_count() == 0) return;
+  saved_revision_ = revision;
   lock.unlock();
   try {
     ROS_INFO_STREAM("saved " << save(path));

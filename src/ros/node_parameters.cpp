@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "ros/lidar_places.hpp"
+
 namespace stillmap {
 namespace {
 
@@ -41,12 +43,10 @@ void check_tf_frames(const NodeParameters& p, const PairingOptions& options) {
 
 PairingOptions check_node_parameters(const NodeParameters& parameters) {
   visit_node_parameters(parameters, RangeCheck());
-  if (parameters.cloud_topic.empty())
-    throw std::invalid_argument("cloud_topic: empty; name the scans' topic");
   PairingOptions options;
   options.cloud_frame = parse_cloud_frame(parameters.cloud_frame);
   options.R_ros_odometry = parse_odometry_axes(parameters.odometry_axes);
-  options.T_body_sensor = parse_sensor_on_body(parameters.sensor_on_body);
+  options.T_body_sensor = lidar_places(parameters).front().T_body_sensor;
   options.max_gap_s = parameters.max_odometry_gap_s;
   options.queue_size = static_cast<std::size_t>(parameters.queue_size);
   if (parameters.odom_topic.empty()) check_tf_frames(parameters, options);

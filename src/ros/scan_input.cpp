@@ -4,12 +4,13 @@
 #include <stdexcept>
 
 #include "messages/frame_id.hpp"
+#include "ros/lidar_places.hpp"
 
 namespace stillmap {
 namespace {
 
 constexpr int kCloudsInTransit = 100, kOdometryInTransit = 2000;
-constexpr std::chrono::seconds kLongWait(2), kClockPatience(5);
+constexpr std::chrono::seconds kLongWait(2);
 
 std::string advice(const std::string& reason) {
   if (reason == "queue_full") return "; give more threads, a larger voxel_size_m or queue_size";
@@ -24,36 +25,52 @@ std::string advice(const std::string& reason) {
 ScanInput::ScanInput(ros::NodeHandle nh, const NodeParameters& parameters, const std::string& own_prefix,
                      ThrottledLog& log)
     : parameters_(parameters), own_prefix_(own_prefix), log_(log) {
-  const PairingOptions options = check_node_parameters(parameters);
-  if (parameters.odom_topic.empty()) {
+  PairingOptions options = check_node_parameters(parameters);
+  if (parameters.odom_topic.empty())
     tf_poses_ = std::make_unique<TfPoses>(parameters.fixed_frame, parameters.body_frame);
-    pairing_ = std::make_unique<ScanPairing>(options, *tf_poses_);
-  } else {
-    pairing_ = std::make_unique<ScanPairing>(options);
+  for (const LidarPlace& lidar : lidar_places(parameters)) {
+    options.T_body_sensor = lidar.T_body_sensor;
+    add_lidar(nh, lidar.topic, options);
+  }
+  if (!tf_poses_)
     odometry_subscriber_ =
         nh.subscribe(parameters.odom_topic, kOdometryInTransit, &ScanInput::on_odometry, this);
-  }
   if (parameters.fixed_frame.empty() && !options.R_ros_odometry.isIdentity())
     axes_frame_ = std::make_unique<AxesFrame>(options.R_ros_odometry);
-  pairing_->set_drop_listener(
-      [this](const std::string& reason, const std::string& text) { on_drop(reason, text); });
-  cloud_subscriber_ = nh.subscribe(parameters.cloud_topic, kCloudsInTransit, &ScanInput::on_cloud, this);
 }
 
-void ScanInput::on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+void ScanInput::add_lidar(ros::NodeHandle& nh, const std::string& topic, const PairingOptions& options) {
   const std::lock_guard lock(mutex_);
-  cloud_silence_.heard(Clock::now());
+  lidars_.push_back(std::make_unique<Lidar>());
+  Lidar& lidar = *lidars_.back();
+  lidar.topic = topic;
+  lidar.pairing =
+      tf_poses_ ? std::make_unique<ScanPairing>(options, *tf_poses_) : std::make_unique<ScanPairing>(options);
+  lidar.pairing->set_drop_listener(
+      [this, topic](const std::string& reason, const std::string& text) { on_drop(topic, reason, text); });
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_message =
+      [this, &lidar](const sensor_msgs::PointCloud2ConstPtr& cloud) { on_cloud(lidar, cloud); };
+  lidar.subscriber = nh.subscribe<sensor_msgs::PointCloud2>(topic, kCloudsInTransit, on_message);
+}
+
+void ScanInput::on_cloud(Lidar& lidar, const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  const std::lock_guard lock(mutex_);
+  lidar.silence.heard(Clock::now());
   cloud_frame_id_ = without_leading_slash(cloud->header.frame_id);
-  pairing_->add_cloud(cloud);
+  if (lidar.pairing->waiting() == 0) lidar.last_taken = Clock::now();
+  lidar.pairing->add_cloud(cloud);
   arrived_.notify_one();
 }
 
 void ScanInput::on_odometry(const nav_msgs::OdometryConstPtr& odometry) {
   const std::lock_guard lock(mutex_);
   odometry_silence_.heard(Clock::now());
-  if (odometry_frame_.empty()) too_early_ = pairing_->waiting();
+  if (odometry_frame_.empty()) {
+    too_early_ = 0;
+    for (const auto& lidar : lidars_) too_early_ += lidar->pairing->waiting();
+  }
   try {
-    pairing_->add_odometry(*odometry);
+    for (const auto& lidar : lidars_) lidar->pairing->add_odometry(*odometry);
     odometry_frame_ = without_leading_slash(odometry->header.frame_id);
     if (axes_frame_) axes_frame_->announce(odometry_frame_);
   } catch (const std::invalid_argument& error) {
@@ -69,33 +86,52 @@ std::optional<PairedScan> ScanInput::next(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   for (;;) {
     if (std::optional<PairedScan> paired = take()) return paired;
-    warn_when_waiting_long();
+    for (const auto& lidar : lidars_) warn_when_waiting_long(*lidar);
     const auto now = Clock::now();
     if (now >= deadline) return std::nullopt;
     arrived_.wait_until(lock, tf_poses_ ? std::min<Clock::time_point>(deadline, now + tf_poll) : deadline);
   }
 }
 
+/// The oldest scan, of any LiDAR, whose pose is known: none waits for another one's pose.
 std::optional<PairedScan> ScanInput::take() {
+  std::vector<std::pair<std::int64_t, std::size_t>> by_age;
+  for (std::size_t i = 0; i < lidars_.size(); ++i) {
+    const auto oldest_ns = lidars_[i]->pairing->oldest_stamp_ns();
+    if (oldest_ns) by_age.emplace_back(*oldest_ns, i);
+  }
+  std::sort(by_age.begin(), by_age.end());
+  for (const auto& [stamp_ns, i] : by_age) {
+    std::optional<PairedScan> paired = take(*lidars_[i]);
+    if (!paired) continue;
+    paired->scan.sensor = static_cast<int>(i);
+    return paired;
+  }
+  return std::nullopt;
+}
+
+std::optional<PairedScan> ScanInput::take(Lidar& lidar) {
   std::optional<PairedScan> paired;
   try {
-    paired = pairing_->next();
+    paired = lidar.pairing->next();
   } catch (const std::runtime_error& error) {
-    log_.warn("unreadable", parameters_.cloud_topic + ": a scan is dropped: " + error.what());
+    log_.warn("unreadable " + lidar.topic, lidar.topic + ": a scan is dropped: " + error.what());
   }
   if (paired) ++taken_;
-  if (paired || pairing_->waiting() == 0) last_taken_ = Clock::now();
+  if (paired) lidar.last_taken = Clock::now();
   return paired;
 }
 
-void ScanInput::warn_when_waiting_long() {
-  if (Clock::now() - last_taken_ < kLongWait) return;
-  log_.warn("waiting", parameters_.cloud_topic + ": " + std::to_string(pairing_->waiting()) +
-                           " scans wait for their pose: " + pairing_->waiting_for() + advice("no_pose"));
+void ScanInput::warn_when_waiting_long(const Lidar& lidar) {
+  if (lidar.pairing->waiting() == 0 || Clock::now() - lidar.last_taken < kLongWait) return;
+  log_.warn("waiting " + lidar.topic, lidar.topic + ": " + std::to_string(lidar.pairing->waiting()) +
+                                          " scans wait for their pose: " + lidar.pairing->waiting_for() +
+                                          advice("no_pose"));
 }
 
 void ScanInput::warn_of_silence() {
-  warn_of_silence(cloud_silence_, cloud_subscriber_, "sensor_msgs/PointCloud2", "cloud_topic");
+  for (const auto& lidar : lidars_)
+    warn_of_silence(lidar->silence, lidar->subscriber, "sensor_msgs/PointCloud2", "cloud_topic");
   if (!tf_poses_) warn_of_silence(odometry_silence_, odometry_subscriber_, "nav_msgs/Odometry", "odom_topic");
 }
 
@@ -110,15 +146,15 @@ void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subs
   const ListenedTopic topic{subscriber.getTopic(), type, parameter};
   ros::master::V_TopicInfo published;
   ros::master::getTopics(published);  // not under the lock: may take long
-  log_.warn(std::string("silent ") + parameter,
+  log_.warn("silent " + topic.name,
             topic.name + ": nothing has come for " + std::to_string(silence->count()) +
                 " s: " + why_silent(topic, subscriber.getNumPublishers(), published, own_prefix_));
 }
 
-void ScanInput::on_drop(const std::string& reason, const std::string& text) {
+void ScanInput::on_drop(const std::string& topic, const std::string& reason, const std::string& text) {
   if (reason == "no_pose") count_without_pose(text);
   const std::string what = reason == "jumped_back" ? ": " : ": a scan is dropped: ";
-  log_.warn(reason, parameters_.cloud_topic + what + text + advice(reason));
+  log_.warn(reason + " " + topic, topic + what + text + advice(reason));
 }
 
 void ScanInput::count_without_pose(const std::string& why) {
@@ -132,37 +168,23 @@ void ScanInput::count_without_pose(const std::string& why) {
 }
 
 void ScanInput::close() {
-  cloud_subscriber_.shutdown();
+  for (const auto& lidar : lidars_) lidar->subscriber.shutdown();
   odometry_subscriber_.shutdown();
 }
 
 std::size_t ScanInput::waiting() const {
   const std::lock_guard lock(mutex_);
-  return pairing_->waiting();
+  std::size_t waiting = 0;
+  for (const auto& lidar : lidars_) waiting += lidar->pairing->waiting();
+  return waiting;
 }
 
 std::map<std::string, std::uint64_t> ScanInput::dropped() const {
   const std::lock_guard lock(mutex_);
-  return pairing_->dropped();
-}
-
-InputFacts ScanInput::facts() const {
-  InputFacts facts;
-  facts.clock_stands =
-      ros::Time::isSimTime() && ros::Time::now().isZero() && Clock::now() - start_ > kClockPatience;
-  const std::lock_guard lock(mutex_);
-  const bool oldest_waits = !pairing_->waiting_for().empty();
-  facts.answered = taken_;
-  facts.clouds = taken_ + without_pose_;
-  if (tf_poses_ && oldest_waits) facts.clouds += pairing_->waiting();
-  facts.why_not = why_no_pose_.empty() ? pairing_->waiting_for() : why_no_pose_;
-  facts.uses_tf = tf_poses_ != nullptr;
-  if (!tf_poses_ || taken_ > 0) return facts;
-  facts.tf_frames = tf_poses_->known_frames();
-  facts.needed_frames = {
-      without_leading_slash(parameters_.fixed_frame),
-      parameters_.body_frame.empty() ? cloud_frame_id_ : without_leading_slash(parameters_.body_frame)};
-  return facts;
+  std::map<std::string, std::uint64_t> dropped;
+  for (const auto& lidar : lidars_)
+    for (const auto& [reason, scans] : lidar->pairing->dropped()) dropped[reason] += scans;
+  return dropped;
 }
 
 std::string ScanInput::fixed_frame() const {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "doctor/input_facts.hpp"
 #include "messages/scan_pairing.hpp"
@@ -39,16 +40,27 @@ class ScanInput {
   std::string fixed_frame() const;  ///< the map's, without leading slash
 
  private:
-  void on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  using Clock = std::chrono::steady_clock;
+  /// What comes from one LiDAR.
+  struct Lidar {
+    std::string topic;
+    std::unique_ptr<ScanPairing> pairing;
+    ros::Subscriber subscriber;
+    Clock::time_point last_taken = Clock::now();
+    SilenceWatch silence{last_taken};
+  };
+
+  void add_lidar(ros::NodeHandle& nh, const std::string& topic, const PairingOptions& options);
+  void on_cloud(Lidar& lidar, const sensor_msgs::PointCloud2ConstPtr& cloud);
   void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
-  void on_drop(const std::string& reason, const std::string& text);
+  void on_drop(const std::string& topic, const std::string& reason, const std::string& text);
   void count_without_pose(const std::string& why);
   std::optional<PairedScan> take();
-  void warn_when_waiting_long();
+  std::optional<PairedScan> take(Lidar& lidar);
+  void warn_when_waiting_long(const Lidar& lidar);
   void warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subscriber, const char* type,
                        const char* parameter);
 
-  using Clock = std::chrono::steady_clock;
   const NodeParameters parameters_;
   const std::string own_prefix_;
   ThrottledLog& log_;
@@ -56,14 +68,13 @@ class ScanInput {
   std::unique_ptr<AxesFrame> axes_frame_;  ///< where the odometry's z is not up and no fixed_frame is given
   mutable std::mutex mutex_;               ///< of all below
   std::condition_variable arrived_;
-  std::unique_ptr<ScanPairing> pairing_;
+  std::vector<std::unique_ptr<Lidar>> lidars_;  ///< by Scan::sensor
   std::string odometry_frame_, cloud_frame_id_, why_no_pose_;
   std::size_t taken_ = 0, without_pose_ = 0;
   std::size_t too_early_ = 0;  ///< clouds from before the first pose, which none will fit
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_taken_ = Clock::now();
-  SilenceWatch cloud_silence_{last_taken_}, odometry_silence_{last_taken_};
-  ros::Subscriber cloud_subscriber_, odometry_subscriber_;
+  SilenceWatch odometry_silence_{start_};
+  ros::Subscriber odometry_subscriber_;
 };
 
 }  // namespace stillmap

@@ -38,8 +38,9 @@ void ScanOutputs::publish(const Mapper& mapper, const PairedScan& paired, const 
   const sensor_msgs::PointCloud2& cloud = *paired.cloud;
   publish_if_wanted(static_, [&] { return select_rows(cloud, labels, Label::kStatic); });
   publish_if_wanted(dynamic_, [&] { return select_rows(cloud, labels, Label::kDynamic); });
-  publish_if_wanted(uncertain_,
-                    [&] { return select_rows(cloud, labels, Label::kUncertain, Label::kInvalid); });
+  publish_if_wanted(uncertain_, [&] {
+    return select_rows(cloud, labels, {Label::kUncertain, Label::kInvalid});
+  });
   publish_if_wanted(labelled_, [&] { return add_label_fields(cloud, labels); });
   if (resolved_.getNumSubscribers() == 0)  // of no topic, none
     delayed_.clear();

@@ -25,14 +25,21 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : settings_(load_settings(private_nh)),
       shared_{{}, open_tile_folder(settings_.method, warn), Mapper(settings_.method)},
       outputs_(private_nh, settings_.node.resolved_delay),
+      moving_boxes_(private_nh, settings_.node.box_lifetime_s),
       map_outputs_(private_nh, settings_.node.map_period_s),
-      services_(private_nh, shared_),
+      service_thread_(private_nh),
+      services_(service_thread_.handle(), shared_),
       live_parameters_(private_nh, settings_),
+      repair_(service_thread_.handle(), shared_),
       diagnostics_(nh, private_nh),
       doctor_(check_node_parameters(settings_.node)),
-      input_(nh, settings_.node, private_nh.getNamespace() + "/", log_) {
+      input_(nh, settings_.node, private_nh.getNamespace() + "/", log_),
+      explainer_(nh, service_thread_.handle(), shared_, [this] { return input_.fixed_frame(); }),
+      prior_map_(service_thread_.handle(), shared_, [this] { return input_.fixed_frame(); }),
+      corrections_(nh, settings_.node, log_) {
   shared_.mapper.set_listener(&stage_timer_);
   shared_.mapper.set_tile_store(shared_.far_tiles.get());
+  resume(shared_.mapper, settings_.node.load_map, settings_.node.save_map);
   for (int i = 0; i < kStageCount; ++i) status_.stages.push_back(to_string(static_cast<Stage>(i)));
   const NodeParameters& node = settings_.node;
   ROS_INFO_STREAM("stillmap: preset " << node.odometry_preset << ": " << node.cloud_topic << " ("
@@ -64,11 +71,13 @@ void StillmapRos::process(const PairedScan& paired) {
   last_scan_ = Clock::now();
   try {
     const std::lock_guard lock(shared_.mutex);  // the labels are valid until the next process()
+    corrections_.apply(shared_.mapper, paired.scan.stamp_ns, input_.fixed_frame());
     stage_timer_.start();
     const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
     const double process_ms = std::chrono::duration<double, std::milli>(Clock::now() - last_scan_).count();
     outputs_.publish(shared_.mapper, paired, labels);
     outputs_.publish(paired.cloud->header, paired.T_map_sensor, input_.fixed_frame());
+    moving_boxes_.publish(shared_.mapper, paired, input_.fixed_frame());
     report(paired, labels, process_ms);
     doctor_.look_at(paired, labels);
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take

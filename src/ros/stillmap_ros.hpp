@@ -9,14 +9,20 @@
 
 #include "ros/live_parameters.hpp"
 #include "ros/map_outputs.hpp"
+#include "ros/map_repair.hpp"
 #include "ros/map_services.hpp"
+#include "ros/moving_box_output.hpp"
 #include "ros/node_diagnostics.hpp"
 #include "ros/node_doctor.hpp"
 #include "ros/parameter_server.hpp"
+#include "ros/place_explainer.hpp"
+#include "ros/prior_map.hpp"
 #include "ros/scan_input.hpp"
 #include "ros/scan_outputs.hpp"
+#include "ros/service_thread.hpp"
 #include "ros/stage_timer.hpp"
 #include "ros/throttled_log.hpp"
+#include "ros/trajectory_corrections.hpp"
 
 namespace stillmap {
 
@@ -42,14 +48,20 @@ class StillmapRos {
   SharedMapper shared_;
   StageTimer stage_timer_;
   ScanOutputs outputs_;
+  MovingBoxOutput moving_boxes_;
   MapOutputs map_outputs_;
+  ServiceThread service_thread_;
   MapServices services_;
   LiveParameters live_parameters_;
+  MapRepair repair_;
   NodeDiagnostics diagnostics_;
   NodeDoctor doctor_;
   Status status_;
   Clock::time_point last_scan_ = Clock::now();
   ScanInput input_;
+  PlaceExplainer explainer_;
+  PriorMap prior_map_;
+  TrajectoryCorrections corrections_;
   std::atomic<bool> closing_{false};
   std::thread worker_;  ///< last: starts when all else is there
 };

@@ -2,9 +2,12 @@
 #include <exception>
 #include <iostream>
 
+#include "tools/diff_command.hpp"
 #include "tools/evaluate_command.hpp"
+#include "tools/export_command.hpp"
 #include "tools/inject_command.hpp"
 #include "tools/label_command.hpp"
+#include "tools/merge_command.hpp"
 #include "tools/parameters_command.hpp"
 #include "tools/simulate_command.hpp"
 #include "tools/soak_command.hpp"
@@ -12,6 +15,7 @@
 #include "tools/version.hpp"
 #if STILLMAP_WITH_ROS
 #include "tools/bag_command.hpp"
+#include "tools/clean_command.hpp"
 #include "tools/doctor_command.hpp"
 #include "tools/reference_command.hpp"
 #endif
@@ -26,10 +30,14 @@ int main(int argc, char** argv) {
   stillmap::add_soak_command(app);
   stillmap::add_evaluate_command(app);
   stillmap::add_inject_command(app);
+  stillmap::add_export_command(app);
+  stillmap::add_diff_command(app);
+  stillmap::add_merge_command(app);
   stillmap::add_parameters_command(app);
   stillmap::add_stages_command(app);
 #if STILLMAP_WITH_ROS
   stillmap::add_bag_command(app);
+  stillmap::add_clean_command(app);
   stillmap::add_doctor_command(app);
   stillmap::add_reference_command(app);
 #endif

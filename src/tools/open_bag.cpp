@@ -2,11 +2,9 @@
 
 #include <iostream>
 
-#include "messages/bag_sequence.hpp"
-
 namespace stillmap {
 
-std::unique_ptr<Sequence> open_bag(const SequenceOptions& options) {
+std::unique_ptr<BagSequence> open_bag(const SequenceOptions& options) {
   BagInput input;
   input.cloud_topic = options.cloud_topic;
   input.odom_topic = options.odom_topic;

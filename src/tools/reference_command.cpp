@@ -1,6 +1,11 @@
 #include "tools/reference_command.hpp"
 
+#include <stillmap/ClearBox.h>
+#include <stillmap/DiffMap.h>
+#include <stillmap/ExplainPoint.h>
 #include <stillmap/LabelledMap.h>
+#include <stillmap/LoadMap.h>
+#include <stillmap/RelabelBox.h>
 #include <stillmap/SaveMap.h>
 #include <stillmap/Status.h>
 
@@ -73,6 +78,12 @@ void print_definition(const std::string& title) {
   std::cout << "\n" << title << "\n\n```\n" << all.substr(0, all.find("\n====")) << "\n```\n";
 }
 
+template <class Service>
+void print_service(const std::string& name) {
+  print_definition<typename Service::Request>("`stillmap/" + name + "`, request");
+  print_definition<typename Service::Response>("`stillmap/" + name + "`, response");
+}
+
 void print_reference() {
   const NodeParameters node;
   const Parameters method;
@@ -92,8 +103,12 @@ void print_reference() {
   std::cout << "\n## Messages\n";
   print_definition<Status>("`stillmap/Status`");
   print_definition<LabelledMap>("`stillmap/LabelledMap`");
-  print_definition<SaveMap::Request>("`stillmap/SaveMap`, request");
-  print_definition<SaveMap::Response>("`stillmap/SaveMap`, response");
+  print_service<SaveMap>("SaveMap");
+  print_service<LoadMap>("LoadMap");
+  print_service<DiffMap>("DiffMap");
+  print_service<ExplainPoint>("ExplainPoint");
+  print_service<ClearBox>("ClearBox");
+  print_service<RelabelBox>("RelabelBox");
 }
 
 }  // namespace

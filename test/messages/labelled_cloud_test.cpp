@@ -38,7 +38,7 @@ TEST(LabelledCloud, TheThreeCloudsPartitionTheInputByteByByte) {
   const ScanLabels labels = labels_of(kLabels);
   const auto is_static = select_rows(*cloud, labels, Label::kStatic);
   const auto dynamic = select_rows(*cloud, labels, Label::kDynamic);
-  const auto uncertain = select_rows(*cloud, labels, Label::kUncertain, Label::kInvalid);
+  const auto uncertain = select_rows(*cloud, labels, {Label::kUncertain, Label::kInvalid});
   const std::vector<std::pair<sensor_msgs::PointCloud2ConstPtr, std::vector<std::size_t>>> expected = {
       {is_static, {0, 5}}, {dynamic, {1, 4, 6}}, {uncertain, {2, 3}}};
   for (const auto& [part, rows] : expected) {
@@ -49,6 +49,25 @@ TEST(LabelledCloud, TheThreeCloudsPartitionTheInputByteByByte) {
     ASSERT_EQ(part->data.size(), rows.size() * cloud->point_step);
     for (std::size_t i = 0; i < rows.size(); ++i)
       EXPECT_EQ(row(*part, i, cloud->point_step), row(*cloud, rows[i], cloud->point_step));
+  }
+}
+
+TEST(LabelledCloud, MaskedRowsHaveNoPlaceAndKeepTheRest) {
+  const auto cloud = cloud_of(kLabels.size());
+  const auto out = mask_rows(*cloud, labels_of(kLabels), {Label::kDynamic, Label::kUncertain});
+  EXPECT_FALSE(out->is_dense);
+  EXPECT_EQ(out->fields, cloud->fields);
+  Scan scan;
+  to_scan(*out, scan);
+  for (std::size_t i = 0; i < kLabels.size(); ++i) {
+    const bool masked = kLabels[i] == Label::kDynamic || kLabels[i] == Label::kUncertain;
+    EXPECT_EQ(scan.points[i].array().isNaN().all(), masked) << i;
+    if (!masked) {
+      EXPECT_EQ(row(*out, i, cloud->point_step), row(*cloud, i, cloud->point_step));
+    }
+    const std::size_t xyz = 3 * sizeof(float), rest = cloud->point_step - xyz;
+    EXPECT_EQ(row(*out, i, cloud->point_step).substr(xyz, rest),
+              row(*cloud, i, cloud->point_step).substr(xyz, rest));
   }
 }
 

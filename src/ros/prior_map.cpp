@@ -1,0 +1,81 @@
+#include "ros/prior_map.hpp"
+
+#include <ros/console.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "io/map_archive.hpp"
+#include "maps/change_list.hpp"
+#include "messages/map_messages.hpp"
+
+namespace stillmap {
+
+PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, std::function<std::string()> fixed_frame)
+    : shared_(shared), fixed_frame_(std::move(fixed_frame)) {
+  const bool latch = true;
+  appeared_ = private_nh.advertise<sensor_msgs::PointCloud2>("appeared", 1, latch);
+  gone_ = private_nh.advertise<sensor_msgs::PointCloud2>("gone", 1, latch);
+  load_map_ = private_nh.advertiseService("load_map", &PriorMap::on_load_map, this);
+  diff_map_ = private_nh.advertiseService("diff_map", &PriorMap::on_diff_map, this);
+}
+
+bool PriorMap::on_load_map(LoadMap::Request& request, LoadMap::Response& response) {
+  const std::lock_guard lock(shared_.mutex);
+  try {
+    response.message = load_map(shared_.mapper, request.path);
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = false;
+  }
+  ROS_INFO_STREAM("load_map: " << response.message);
+  return true;
+}
+
+bool PriorMap::on_diff_map(DiffMap::Request& request, DiffMap::Response& response) {
+  try {
+    const MapContents earlier = read_map_archive(request.path);
+    std::unique_lock lock(shared_.mutex);
+    const MapContents now = shared_.mapper.export_map();
+    const Decision decision = shared_.mapper.decision();
+    lock.unlock();
+    const MapDiff found = diff(earlier, now, decision, DiffOptions());
+    const auto publish = [&](const ros::Publisher& publisher, const std::vector<Change>& changes) {
+      MapSnapshot cloud = snapshot_of(changes, found);
+      cloud.stamp_ns = now.stamp_ns;
+      publisher.publish(to_static_cloud(cloud, fixed_frame_()));
+    };
+    publish(appeared_, found.appeared);
+    publish(gone_, found.gone);
+    response.appeared = static_cast<std::uint32_t>(found.appeared.size());
+    response.gone = static_cast<std::uint32_t>(found.gone.size());
+    response.message = table_of(found);
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = false;
+  }
+  ROS_INFO_STREAM("diff_map: " << response.message);
+  return true;
+}
+
+std::string load_map(Mapper& mapper, const std::string& path) {
+  const MapContents map = read_map_archive(path);
+  try {
+    mapper.load_map(map);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  return path + ": goes on with its " + std::to_string(mapper.voxel_count()) + " voxels";
+}
+
+void resume(Mapper& mapper, const std::string& load_path, const std::string& save_path) {
+  if (load_path.empty()) return;
+  if (load_path == save_path && !std::filesystem::exists(load_path))
+    ROS_INFO_STREAM("load_map: " << load_path << " is not there yet; a new map begins");
+  else
+    ROS_INFO_STREAM("load_map: " << load_map(mapper, load_path));
+}
+
+}  // namespace stillmap

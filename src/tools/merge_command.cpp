@@ -1,0 +1,81 @@
+#include "tools/merge_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "io/map_archive.hpp"
+#include "io/map_file.hpp"
+#include "maps/map_merge.hpp"
+#include "stillmap/mapper.hpp"
+#include "tools/parameter_options.hpp"
+#include "tools/progress_bar.hpp"
+#include "tools/sequence_options.hpp"
+
+namespace stillmap {
+namespace {
+
+struct MergeJob {
+  std::string out;
+  std::vector<std::string> in;
+  SequenceOptions sequences;  ///< how to read recordings among `in`
+  ParameterOptions parameters;
+};
+
+MapContents map_of_sequence(Sequence& sequence, const std::string& name, const Parameters& parameters) {
+  Mapper mapper(parameters);
+  ProgressBar progress(name, sequence.size());
+  for (std::size_t k = 0; k < sequence.size(); ++k, progress.advance()) {
+    const Frame frame = sequence.read(k);
+    mapper.process(frame.scan, frame.T_map_sensor);
+  }
+  return mapper.export_map();
+}
+
+MapContents map_of(const std::string& path, const MergeJob& job, const Parameters& parameters) {
+  if (std::filesystem::path(path).extension() == ".stillmap") return read_map_archive(path);
+  SequenceOptions options = job.sequences;
+  options.path = path;
+  return map_of_sequence(*options.open(), path, parameters);
+}
+
+void merge_all(const MergeJob& job) {
+  const Parameters parameters = job.parameters.resolve();
+  const LogOddsBounds bounds{static_cast<float>(parameters.log_odds_min),
+                             static_cast<float>(parameters.log_odds_max)};
+  MapContents merged;
+  for (const std::string& path : job.in) {
+    const MapContents map = map_of(path, job, parameters);
+    if (&path == &job.in.front()) {
+      merged = map;
+      continue;
+    }
+    try {
+      merge(merged, map, bounds);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(path + ": " + error.what());
+    }
+  }
+  save_map(pieces_of(merged), decision_of(parameters), job.out);
+  std::cout << job.out << ": " << job.in.size() << " maps in one\n";
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("merge", "Maps and recordings of one frame as one map: log-odds add up");
+  const auto job = std::make_shared<MergeJob>();
+  command->add_option("OUT", job->out, "The map to write: .stillmap, .pcd, .ply, .bt or .ot")->required();
+  command
+      ->add_option("IN", job->in,
+                   "Each a .stillmap, a folder in SemanticKITTI layout or a .bag, at least two")
+      ->required()
+      ->expected(2, -1);
+  job->sequences.add_bag_options_to(*command);
+  job->parameters.add_to(*command);
+  command->callback([job] { merge_all(*job); });
+}
+
+}  // namespace stillmap

@@ -1,0 +1,184 @@
+// A robot drives around a building and comes back 1 m beside where it is: the walls there are in the map
+// twice. The corrected trajectory must leave one of them.
+#include <gtest/gtest.h>
+#include <tsl/robin_set.h>
+
+#include <chrono>
+
+#include "simulation/path.hpp"
+#include "simulation/structures.hpp"
+#include "simulation/traffic.hpp"
+#include "stillmap/voxel_key.hpp"
+#include "support/expect_error.hpp"
+#include "world/world_run.hpp"
+
+namespace stillmap::simulation {
+namespace {
+
+constexpr int kScans = 150;
+constexpr double kSpeed_mps = 6;
+
+World building_in_a_yard() {
+  World world;
+  world.add_ground(0, surfaces::kRoad);
+  for (const double side : {-18.0, 18.0}) {
+    add_wall(&world, {-18, side}, {18, side}, 0.3, 4, surfaces::kWall);
+    add_wall(&world, {side, -18}, {side, 18}, 0.3, 4, surfaces::kWall);
+  }
+  world.add_box(pose_at(0, 0, 3), {12, 12, 6}, surfaces::kWall);
+  Random random(5);
+  for (const double x : {-14.0, -9.0, 3.0, 9.0}) add_parked_car(&world, {x, -15.5}, 0.1, &random);
+  for (const double y : {-8.0, 4.0, 12.0}) add_pole(&world, {15.5, y}, 0.15, 3.5);
+  return world;
+}
+
+/// Once around, and a little farther.
+SensorMotion around_the_building(const Ground& ground) {
+  const Path path({{-4, -11}, {11, -11}, {11, 11}, {-11, 11}, {-11, -11}, {11, -11}});
+  return carried(path, SpeedProfile::constant(kSpeed_mps), ground, {1.6, 0.1, 0, 0});
+}
+
+/// What an odometry says whose error grows with the way, to 1 m and 1 degree.
+Eigen::Isometry3d drifted(const Eigen::Isometry3d& T_map_sensor, int scan) {
+  const double share = static_cast<double>(scan) / (kScans - 1);
+  return Eigen::Translation3d(0.8 * share, -0.6 * share, 0) *
+         Eigen::AngleAxisd(share * M_PI / 180, Eigen::Vector3d::UnitZ()) * T_map_sensor;
+}
+
+/// The drive as the odometry has it, and where the sensor really was.
+struct Drive {
+  std::vector<SimulatedFrame> frames;
+
+  Drive() {
+    const World world = building_in_a_yard();
+    const RayCaster caster(world);
+    const SensorModel sensor = sensor_model("vlp16");
+    const SensorMotion motion = around_the_building(world.ground);
+    for (int k = 0; k < kScans; ++k) {
+      Sweep sweep;
+      sweep.middle_s = 0.1 * k;
+      sweep.index = static_cast<std::uint64_t>(k);
+      frames.push_back(cast_scan(caster, sensor, motion, sweep, {}));
+      frames.back().frame.T_map_sensor = drifted(frames.back().T_map_sensor_true, k);
+    }
+  }
+  Mapper mapped(const Parameters& parameters, bool with_true_poses) const {
+    Mapper mapper(parameters);
+    for (const SimulatedFrame& scan : frames)
+      mapper.process(scan.frame.scan, with_true_poses ? scan.T_map_sensor_true : scan.frame.T_map_sensor);
+    return mapper;
+  }
+  /// As a pose graph publishes it: a pose every half second.
+  std::vector<StampedPose> corrected_path() const {
+    std::vector<StampedPose> path;
+    for (std::size_t k = 0; k < frames.size(); k += 5)
+      path.push_back({frames[k].frame.scan.stamp_ns, frames[k].T_map_sensor_true});
+    return path;
+  }
+};
+
+Parameters with_submaps() {
+  Parameters parameters;
+  parameters.submap_length_m = 5;
+  return parameters;
+}
+
+/// Percent of the static voxels above the ground that have no static voxel of the other map within 0.3 m.
+double percent_alone(const Mapper& mapper, const Mapper& other) {
+  const MapSnapshotPtr map = mapper.snapshot(), reference = other.snapshot();
+  tsl::robin_set<std::uint64_t, BlockKeyHash> known;
+  const auto key_of = [&](const SnapshotVoxel& voxel) {
+    return voxel_key(voxel.center.cast<double>(), 1 / map->voxel_size_m);
+  };
+  for (const SnapshotVoxel& voxel : reference->voxels)
+    if (voxel.label == Label::kStatic) known.insert(packed(key_of(voxel)));
+  std::size_t alone = 0, all = 0;
+  for (const SnapshotVoxel& voxel : map->voxels) {
+    if (voxel.label != Label::kStatic || voxel.center.z() < 0.3F) continue;
+    bool found = false;
+    for (int i = 0; i < 343 && !found; ++i)
+      found = known.count(packed(key_of(voxel) + VoxelKey(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3))) > 0;
+    alone += !found;
+    ++all;
+  }
+  return 100.0 * static_cast<double>(alone) / static_cast<double>(all);
+}
+
+struct LoopClosureTest : testing::Test {
+  static const Drive& drive() {
+    static const Drive drive;
+    return drive;
+  }
+  static const Mapper& truth() {
+    static const Mapper truth = drive().mapped(Parameters(), true);
+    return truth;
+  }
+};
+
+TEST_F(LoopClosureTest, ACorrectedPathTakesTheDoubleWallAway) {
+  Mapper mapper = drive().mapped(with_submaps(), false);
+  EXPECT_GT(measured("wrong before, %", percent_alone(mapper, truth())), 15);
+  const auto start = std::chrono::steady_clock::now();
+  const TrajectoryCorrection done = mapper.correct_trajectory(drive().corrected_path());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  measured("correction, s", took.count());
+  EXPECT_TRUE(done.applied);
+  EXPECT_GT(done.submaps, 10U);
+  EXPECT_NEAR(done.largest_m, 1.0, 0.3);
+  EXPECT_LT(measured("wrong after, %", percent_alone(mapper, truth())), 1);
+  EXPECT_LT(measured("lost, %", percent_alone(truth(), mapper)), 3);
+
+  // Scans go on in the corrected frame, and the same path once more moves nothing.
+  const SimulatedFrame& last = drive().frames.back();
+  Scan next = last.frame.scan;
+  next.stamp_ns += 100'000'000;
+  const LabelCounts counts = count(mapper.process(next, last.T_map_sensor_true));
+  EXPECT_GT(measured("of the next scan static, %", 100.0 * counts.is_static / next.points.size()), 95);
+  EXPECT_FALSE(mapper.correct_trajectory(drive().corrected_path()).applied);
+}
+
+TEST_F(LoopClosureTest, AJumpOfTheNewestPoseIsSpreadOverTheWay) {
+  Mapper mapper = drive().mapped(with_submaps(), false);
+  const SimulatedFrame& last = drive().frames.back();
+  const TrajectoryCorrection done =
+      mapper.correct_newest_pose(last.T_map_sensor_true * last.frame.T_map_sensor.inverse());
+  EXPECT_TRUE(done.applied);
+  EXPECT_LT(measured("wrong after a jump, %", percent_alone(mapper, truth())), 2);
+}
+
+TEST_F(LoopClosureTest, KeepingSubmapsChangesNoLabel) {
+  Mapper with(with_submaps()), without{Parameters()};
+  for (int k = 0; k < 30; ++k) {
+    const Frame& frame = drive().frames[static_cast<std::size_t>(k)].frame;
+    EXPECT_EQ(with.process(frame.scan, frame.T_map_sensor).label,
+              without.process(frame.scan, frame.T_map_sensor).label);
+  }
+}
+
+TEST_F(LoopClosureTest, RefusesWhatDoesNotFitAndKeepsTheMap) {
+  Mapper mapper = drive().mapped(with_submaps(), false);
+  const std::size_t voxels = mapper.voxel_count();
+  std::vector<StampedPose> foreign = drive().corrected_path();
+  for (StampedPose& pose : foreign) pose.stamp_ns += 1'000'000'000'000;
+  const auto refused = [&] { mapper.correct_trajectory(foreign); };
+  expect_error<std::invalid_argument>(refused,
+                                      {"none of them", "1000.000 to 1014.500 s", "0.000 to 14.900 s"});
+  EXPECT_EQ(mapper.voxel_count(), voxels);
+  Mapper without{Parameters()};
+  expect_error<std::invalid_argument>([&] { without.correct_trajectory(drive().corrected_path()); },
+                                      {"submap_length_m"});
+}
+
+TEST_F(LoopClosureTest, AnImportedMapStaysInItsPlace) {
+  Mapper mapper(with_submaps());
+  mapper.import_map(truth().export_map());
+  const Frame& first = drive().frames.front().frame;
+  mapper.process(first.scan, first.T_map_sensor);
+  Eigen::Isometry3d aside = Eigen::Isometry3d::Identity();
+  aside.translation().x() = 1;
+  EXPECT_TRUE(mapper.correct_newest_pose(aside).applied);
+  EXPECT_LT(measured("of the imported map lost, %", percent_alone(truth(), mapper)), 1);
+}
+
+}  // namespace
+}  // namespace stillmap::simulation
