@@ -54,6 +54,8 @@ struct MapPieces {
 };
 /// The contents as one piece; they must live as long.
 MapPieces pieces_of(const MapContents& map);
+/// All pieces as one.
+MapContents contents_of(const MapPieces& map);
 
 /// The voxels' places, log-odds and labels, in the pieces' order.
 MapSnapshot snapshot_of(const MapPieces& map, const Decision& decision);

@@ -40,6 +40,10 @@ struct Voxel {
   void set_surface(const Eigen::Vector3f& offset) {
     surface = static_cast<std::uint16_t>(bits(offset.x()) | bits(offset.y()) << 5 | bits(offset.z()) << 10);
   }
+  void grow_older(std::uint32_t scans) {
+    idle = static_cast<std::uint8_t>(std::min(255U, idle + scans));
+    age = static_cast<std::uint8_t>(std::min(255U, age + scans));
+  }
   void see_through() {
     if (seen_through < 0x7F) seen_through = static_cast<std::uint8_t>(seen_through + 1) & 0x7F;
   }

@@ -62,6 +62,8 @@ class VoxelBlock {
   /// Brings Voxel::idle and Voxel::age up to `scan`.
   void age(std::uint32_t scan);
 
+  /// The voxel at `place`, which must be contained, as of `scan`.
+  Voxel as_of(int place, std::uint32_t scan) const;
   /// A copy of it as of `scan`, and the way back; what restore() gets must have no problem().
   BlockContents contents(std::uint32_t scan) const;
   void restore(const BlockContents& contents, std::uint32_t scan);

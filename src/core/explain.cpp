@@ -2,24 +2,27 @@
 #include <limits>
 
 #include "mapper_state.hpp"
+#include "voxel_reader.hpp"
 
 namespace stillmap {
 namespace {
 
 struct FoundVoxel {
-  const Voxel* voxel = nullptr;
+  std::optional<Voxel> voxel;
   Eigen::Vector3d place_map_m;  ///< of its surface
 };
 
 /// The voxel at the place, or the nearest of those right beside: a click does not hit a voxel's inside.
-FoundVoxel voxel_near(const VoxelMap& map, const Eigen::Vector3d& point_map_m) {
+FoundVoxel voxel_near(const RollingMap& rolling, std::uint32_t scan, const Eigen::Vector3d& point_map_m) {
+  const VoxelMap& map = rolling.open_map();
+  VoxelReader reader(rolling, scan);
   FoundVoxel nearest;
   double least_m = std::numeric_limits<double>::max();
   const VoxelKey middle = map.key_of(point_map_m);
   for (int i = 0; i < 27; ++i) {
     const VoxelKey key = middle + VoxelKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    const Voxel* voxel = map.find(key);
-    if (voxel == nullptr) continue;
+    const std::optional<Voxel> voxel = reader.find(key);
+    if (!voxel) continue;
     const Eigen::Vector3d in_edges = key.cast<double>() + voxel->surface_offset().cast<double>();
     const Eigen::Vector3d place_map_m = in_edges * map.voxel_size_m();
     const double distance_m = key == middle ? -1.0 : (place_map_m - point_map_m).norm();
@@ -37,8 +40,8 @@ Explanation Mapper::explain(const Eigen::Vector3d& point_map_m) const {
   Explanation explanation;
   explanation.asked_map_m = explanation.place_map_m = point_map_m;
   explanation.newest_stamp_ns = s.stamp_ns;
-  const FoundVoxel found = voxel_near(s.map, point_map_m);
-  if (found.voxel != nullptr) {
+  const FoundVoxel found = voxel_near(s.rolling, s.scan_count, point_map_m);
+  if (found.voxel) {
     explanation.in_map = true;
     explanation.place_map_m = found.place_map_m;
     explanation.log_odds = found.voxel->log_odds();

@@ -60,8 +60,9 @@ TrajectoryCorrection Mapper::State::correct(const PastCorrection& correction) {
 }
 
 void Mapper::State::move_submaps(const PastCorrection& correction) {
+  VoxelReader now(rolling, scan_count);
   for (Submap& submap : submaps.all()) {
-    if (!submap.closed) Submaps::refresh(submap, map);
+    if (!submap.closed) Submaps::refresh(submap, now);
     if (!submap.anchored) continue;
     const Eigen::Isometry3d T_new_old = correction.at(submap.stamp_ns);
     for (PlacedVoxel& placed : submap.voxels) placed = moved(placed, T_new_old, map);
@@ -87,6 +88,7 @@ void Mapper::State::place_submaps() {
     if (k > 0) place(all[k - 1]);
   }
   if (!all.empty()) place(all.back());
+  rolling.adopt_map();
 }
 
 void Mapper::State::place(const Submap& submap) {
@@ -94,9 +96,12 @@ void Mapper::State::place(const Submap& submap) {
     VoxelBlock& block = map.block(map.find_or_create_block(block_key(placed.key)));
     block.age(scan_count);
     const int place = place_in_block(placed.key);
+    Voxel moved_here = placed.voxel;
+    moved_here.grow_older(scan_count - submap.scan);
     bool created = false;
     Voxel& voxel = block.find_or_create(place, created);
-    voxel = created ? placed.voxel : sum(voxel, placed.voxel, recursion.log_odds_min, recursion.log_odds_max);
+    map.count_created(created);
+    voxel = created ? moved_here : sum(voxel, moved_here, recursion.log_odds_min, recursion.log_odds_max);
     if (voxel.came_back != 0 && voxel.log_odds() > 0) block.porous |= cell_bit(place);
   }
 }
@@ -150,7 +155,7 @@ void Mapper::State::remember_for_corrections(const Scan& scan, const Eigen::Isom
     const VoxelRef& voxel = voxel_of_row[row];
     born.push_back(voxel_key(map.block(voxel.block).key(), static_cast<int>(voxel.place)));
   }
-  submaps.add({scan.stamp_ns, T_map_sensor}, scan.sensor == 0, view, born, map);
+  submaps.add({scan.stamp_ns, T_map_sensor}, scan.sensor == 0, view, born, VoxelReader(rolling, scan_count));
 }
 
 }  // namespace stillmap

@@ -17,10 +17,7 @@ const char* problem(const BlockContents& block) {
 }
 
 BlockContents aged(BlockContents block, std::uint32_t scans) {
-  for (Voxel& voxel : block.voxels) {
-    voxel.idle = static_cast<std::uint8_t>(std::min(255U, voxel.idle + scans));
-    voxel.age = static_cast<std::uint8_t>(std::min(255U, voxel.age + scans));
-  }
+  for (Voxel& voxel : block.voxels) voxel.grow_older(scans);
   return block;
 }
 
@@ -39,6 +36,13 @@ MapPieces pieces_of(const MapContents& map) {
             blocks.insert(blocks.end(), map.blocks.begin(), map.blocks.end());
             return given = true;
           }};
+}
+
+MapContents contents_of(const MapPieces& map) {
+  MapContents contents{map.stamp_ns, map.voxel_size_m, {}};
+  while (map.next(contents.blocks)) {
+  }
+  return contents;
 }
 
 MapSnapshot snapshot_of(const MapPieces& map, const Decision& decision) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "mapper_state.hpp"
@@ -55,11 +56,21 @@ void Mapper::import_map(const MapContents& contents) {
   ++s.revision;
   if (!s.submaps.enabled()) return;
   std::vector<PlacedVoxel> voxels;
-  for (const BlockContents& block : contents.blocks)
+  tsl::robin_set<std::uint64_t, BlockKeyHash> replaced;
+  for (const BlockContents& block : contents.blocks) {
+    replaced.insert(packed(block.key));
     for_each_voxel(block, [&](int place, const Voxel& voxel) {
       voxels.push_back({voxel_key(block.key, place), voxel});
     });
-  s.submaps.add_unanchored(std::move(voxels));
+  }
+  for (Submap& submap : s.submaps.all()) {
+    const auto is_replaced = [&](const PlacedVoxel& placed) {
+      return replaced.count(packed(block_key(placed.key))) != 0;
+    };
+    submap.voxels.erase(std::remove_if(submap.voxels.begin(), submap.voxels.end(), is_replaced),
+                        submap.voxels.end());
+  }
+  s.submaps.add_unanchored(std::move(voxels), s.scan_count);
 }
 
 }  // namespace stillmap

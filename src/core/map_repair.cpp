@@ -46,23 +46,21 @@ std::size_t Mapper::State::edit_box(const Eigen::AlignedBox3d& box_map_m,
   require_box(box_map_m);
   std::size_t edited = 0;
   ++revision;
-  for (std::uint32_t index = 0; index < map.block_count(); ++index) {
-    VoxelBlock& block = map.block(index);
-    if (!box_of(block.key(), map.block_size_m()).intersects(box_map_m)) continue;
-    const BlockContents before = block.contents(scan_count);
-    BlockContents after = before;
-    after.voxels.clear();
+  rolling.edit(box_map_m, scan_count, [&](BlockContents& block) {
+    if (!box_of(block.key, map.block_size_m()).intersects(box_map_m)) return false;
+    const BlockContents before = block;
+    block.voxels.clear();
     const std::size_t edited_before = edited;
     for_each_voxel(before, [&](int place, Voxel voxel) {
       const bool inside = box_map_m.contains(place_of(before.key, place, voxel, map.voxel_size_m()));
       edited += inside;
       if (!inside || edit(voxel))
-        after.voxels.push_back(voxel);
+        block.voxels.push_back(voxel);
       else
-        after.occupied[place >> 6] &= ~(std::uint64_t{1} << (place & 63));
+        block.occupied[place >> 6] &= ~(std::uint64_t{1} << (place & 63));
     });
-    if (edited > edited_before) block.restore(after, scan_count);
-  }
+    return edited > edited_before;
+  });
   // What is kept to follow corrections follows the repair.
   for (Submap& submap : submaps.all()) {
     const auto forgotten = [&](PlacedVoxel& placed) {

@@ -2,6 +2,8 @@
 
 #include <tsl/robin_map.h>
 
+#include <Eigen/Geometry>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,16 @@ class RollingMap {
   std::vector<BlockContents> contents(const TileKey& key, std::uint32_t scan) const;
   /// Puts blocks in, over those of the same keys.
   void import(const std::vector<BlockContents>& blocks, std::uint32_t scan);
+  /// A tile as of `scan`, wherever it is: in memory or in the store.
+  std::vector<BlockContents> contents_anywhere(const TileKey& key, std::uint32_t scan) const;
+  /// Calls change(block) for the blocks of all tiles that the box touches seen from above, one tile at a time
+  /// wherever it is. Blocks for which it says true are kept as it left them.
+  void edit(const Eigen::AlignedBox3d& box_map_m, std::uint32_t scan,
+            const std::function<bool(BlockContents&)>& change);
+  /// After the VoxelMap was made anew of all there is: nothing else counts any more.
+  void adopt_map();
+  const VoxelMap& open_map() const { return map_; }
+  bool is_open(const TileKey& key) const { return open_.count(packed_tile(key)) != 0; }
   std::size_t voxel_count() const { return map_.voxel_count() + packed_voxels_; }  ///< in memory
 
  private:
@@ -44,6 +56,7 @@ class RollingMap {
     std::string bytes;
   };
 
+  std::vector<TileKey> tiles_anywhere() const;
   double distance_m(const TileKey& key, const Eigen::Vector3d& origin_map_m) const;
   void open_near(const Eigen::Vector3d& origin_map_m);
   void open(const TileKey& key);

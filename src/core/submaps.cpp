@@ -5,7 +5,7 @@
 namespace stillmap {
 
 void Submaps::add(const StampedPose& pose, bool of_first_sensor, const ScanView& view,
-                  const std::vector<VoxelKey>& born, const VoxelMap& map) {
+                  const std::vector<VoxelKey>& born, VoxelReader map) {
   if (of_first_sensor) go_to(pose);
   const bool none = submaps_.empty() || !submaps_.back().anchored;
   if (none || way_m_ >= length_m_) begin(pose, map);
@@ -24,7 +24,7 @@ void Submaps::go_to(const StampedPose& pose) {
   trajectory_.add(pose);
 }
 
-void Submaps::begin(const StampedPose& pose, const VoxelMap& map) {
+void Submaps::begin(const StampedPose& pose, VoxelReader& map) {
   // The one before the last has seen the last one's scans, too: its evidence is complete.
   if (submaps_.size() >= 2) {
     Submap& complete = submaps_[submaps_.size() - 2];
@@ -37,15 +37,17 @@ void Submaps::begin(const StampedPose& pose, const VoxelMap& map) {
   way_m_ = view_way_m_ = 0;
 }
 
-void Submaps::refresh(Submap& submap, const VoxelMap& map) {
+void Submaps::refresh(Submap& submap, VoxelReader& map) {
   std::vector<PlacedVoxel> known;
   for (const PlacedVoxel& placed : submap.voxels)
-    if (const Voxel* voxel = map.find(placed.key)) known.push_back({placed.key, *voxel});
+    if (const std::optional<Voxel> voxel = map.find(placed.key)) known.push_back({placed.key, *voxel});
+  submap.scan = map.scan();
   submap.voxels = std::move(known);
 }
 
-void Submaps::add_unanchored(std::vector<PlacedVoxel> voxels) {
+void Submaps::add_unanchored(std::vector<PlacedVoxel> voxels, std::uint32_t scan) {
   Submap fixed;
+  fixed.scan = scan;
   fixed.anchored = false;
   fixed.closed = true;
   fixed.voxels = std::move(voxels);

@@ -15,10 +15,13 @@ void VoxelBlock::age(std::uint32_t scan) {
   const std::uint32_t scans = scan - aged_scan_;
   aged_scan_ = scan;
   if (scans == 0) return;
-  for (Voxel& voxel : voxels_) {
-    voxel.idle = static_cast<std::uint8_t>(std::min(255U, voxel.idle + scans));
-    voxel.age = static_cast<std::uint8_t>(std::min(255U, voxel.age + scans));
-  }
+  for (Voxel& voxel : voxels_) voxel.grow_older(scans);
+}
+
+Voxel VoxelBlock::as_of(int place, std::uint32_t scan) const {
+  Voxel voxel = at(place);
+  voxel.grow_older(scan - aged_scan_);
+  return voxel;
 }
 
 BlockContents VoxelBlock::contents(std::uint32_t scan) const {

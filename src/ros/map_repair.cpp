@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "io/whole_map.hpp"
+
 namespace stillmap {
 namespace {
 
@@ -17,10 +19,16 @@ Eigen::AlignedBox3d box_of(const Request& request) {
   return {to_vector(request.min), to_vector(request.max)};
 }
 
-std::string extent_of(const MapSnapshot& map) {
-  if (map.voxels.empty()) return "the map is empty";
-  Eigen::AlignedBox3f extent;
-  for (const SnapshotVoxel& voxel : map.voxels) extent.extend(voxel.center);
+std::string extent_of(const MapPieces& map) {
+  const double block_size_m = map.voxel_size_m * kBlockEdge;
+  Eigen::AlignedBox3d extent;
+  for (std::vector<BlockContents> blocks; map.next(blocks); blocks.clear())
+    for (const BlockContents& block : blocks) {
+      if (block.voxels.empty()) continue;
+      extent.extend(block.key.cast<double>() * block_size_m);
+      extent.extend((block.key.cast<double>().array() + 1).matrix() * block_size_m);
+    }
+  if (extent.isEmpty()) return "the map is empty";
   std::ostringstream text;
   text << "the map reaches from (" << extent.min().transpose() << ") to (" << extent.max().transpose()
        << ") m";
@@ -31,12 +39,15 @@ std::string extent_of(const MapSnapshot& map) {
 template <class Response, class Edit>
 void answer(const char* service, const std::string& what_was_done, SharedMapper& shared, Response& response,
             const Edit& edit) {
-  const std::lock_guard lock(shared.mutex);
   try {
+    std::unique_lock lock(shared.mutex);
     response.voxels = edit(shared.mapper);
+    lock.unlock();
     response.success = response.voxels > 0;
-    response.message = response.success ? what_was_done + ": " + std::to_string(response.voxels) + " voxels"
-                                        : "no voxel is in the box; " + extent_of(*shared.mapper.snapshot());
+    response.message = response.success
+                           ? what_was_done + ": " + std::to_string(response.voxels) + " voxels"
+                           : "no voxel is in the box; " +
+                                 extent_of(whole_map(shared.mapper, shared.far_tiles.get(), shared.mutex));
   } catch (const std::invalid_argument& error) {
     response.success = false;
     response.message = error.what();

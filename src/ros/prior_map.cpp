@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "io/map_archive.hpp"
+#include "io/whole_map.hpp"
 #include "maps/change_list.hpp"
 #include "messages/map_messages.hpp"
 
@@ -36,8 +37,8 @@ bool PriorMap::on_load_map(LoadMap::Request& request, LoadMap::Response& respons
 bool PriorMap::on_diff_map(DiffMap::Request& request, DiffMap::Response& response) {
   try {
     const MapContents earlier = read_map_archive(request.path);
+    const MapContents now = contents_of(whole_map(shared_.mapper, shared_.far_tiles.get(), shared_.mutex));
     std::unique_lock lock(shared_.mutex);
-    const MapContents now = shared_.mapper.export_map();
     const Decision decision = shared_.mapper.decision();
     lock.unlock();
     const MapDiff found = diff(earlier, now, decision, DiffOptions());

@@ -66,12 +66,15 @@ bool TrajectoryCorrections::corrected(const std::string& source, const Correct& 
 void TrajectoryCorrections::apply_path(Mapper& mapper, const nav_msgs::Path& path,
                                        const std::string& fixed_frame) {
   if (mapper.scan_count() == 0) return;
+  const std::string frame = without_leading_slash(path.header.frame_id);
+  const bool ros_axes = pairing_.R_ros_odometry.isIdentity();
+  if ((ros_axes ? frame : AxesFrame::name_of(frame)) != fixed_frame) {
+    log_.warn("corrected path's frame", parameters_.corrected_path_topic +
+                                            ": not used, the map stays as it is: the path is in frame '" +
+                                            path.header.frame_id + "' and the map in '" + fixed_frame + "'");
+    return;
+  }
   corrected(parameters_.corrected_path_topic, [&] {
-    const std::string frame = without_leading_slash(path.header.frame_id);
-    const bool ros_axes = pairing_.R_ros_odometry.isIdentity();
-    if ((ros_axes ? frame : AxesFrame::name_of(frame)) != fixed_frame)
-      throw std::invalid_argument("the path is in frame '" + path.header.frame_id + "' and the map in '" +
-                                  fixed_frame + "'");
     const Eigen::Isometry3d R(pairing_.R_ros_odometry);
     std::vector<StampedPose> poses;
     for (const geometry_msgs::PoseStamped& pose : path.poses)

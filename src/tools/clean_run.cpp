@@ -8,12 +8,14 @@
 #include <stdexcept>
 
 #include "io/atomic_file.hpp"
+#include "io/tile_folder.hpp"
 #include "messages/labelled_cloud.hpp"
 #include "messages/point_cloud_conversion.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/label_store.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/run_summary.hpp"
+#include "tools/say.hpp"
 
 namespace stillmap {
 namespace {
@@ -24,7 +26,12 @@ namespace fs = std::filesystem;
 class LabelledClouds {
  public:
   LabelledClouds(BagSequence& sequence, const Parameters& parameters, const CleanJob& job)
-      : sequence_(sequence), job_(job), mapper_(parameters), store_(folder_of(job.out)) {
+      : sequence_(sequence),
+        job_(job),
+        far_tiles_(open_tile_folder(parameters, say)),
+        mapper_(parameters),
+        store_(folder_of(job.out)) {
+    mapper_.set_tile_store(far_tiles_.get());
     ProgressBar progress("labelling", sequence.size());
     for (std::size_t k = 0; k < sequence.size(); ++k, progress.advance()) {
       const Frame frame = sequence.read(k);
@@ -59,6 +66,7 @@ class LabelledClouds {
 
   BagSequence& sequence_;
   const CleanJob& job_;
+  std::unique_ptr<TileFolder> far_tiles_;
   Mapper mapper_;
   LabelStore store_;
   std::map<std::size_t, std::size_t> frame_of_cloud_;

@@ -17,6 +17,7 @@
 #include "tools/label_store.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/run_summary.hpp"
+#include "tools/say.hpp"
 
 namespace stillmap {
 namespace {
@@ -66,10 +67,6 @@ const ScanLabels& process(Mapper& mapper, const Frame& frame, EngineClock& clock
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error("scan " + frame.name + ": " + error.what());
   }
-}
-
-void say(const std::string& message) {
-  std::cerr << "stillmap: " << message << std::endl;
 }
 
 /// Writes a pass's labels and counts them.

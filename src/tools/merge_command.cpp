@@ -7,10 +7,13 @@
 
 #include "io/map_archive.hpp"
 #include "io/map_file.hpp"
+#include "io/tile_folder.hpp"
+#include "io/whole_map.hpp"
 #include "maps/map_merge.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/parameter_options.hpp"
 #include "tools/progress_bar.hpp"
+#include "tools/say.hpp"
 #include "tools/sequence_options.hpp"
 
 namespace stillmap {
@@ -24,13 +27,16 @@ struct MergeJob {
 };
 
 MapContents map_of_sequence(Sequence& sequence, const std::string& name, const Parameters& parameters) {
+  const auto far_tiles = open_tile_folder(parameters, say);
   Mapper mapper(parameters);
+  mapper.set_tile_store(far_tiles.get());
   ProgressBar progress(name, sequence.size());
   for (std::size_t k = 0; k < sequence.size(); ++k, progress.advance()) {
     const Frame frame = sequence.read(k);
     mapper.process(frame.scan, frame.T_map_sensor);
   }
-  return mapper.export_map();
+  std::mutex nobody_else;
+  return contents_of(whole_map(mapper, far_tiles.get(), nobody_else));
 }
 
 MapContents map_of(const std::string& path, const MergeJob& job, const Parameters& parameters) {

@@ -1,6 +1,6 @@
 #include "tools/open_bag.hpp"
 
-#include <iostream>
+#include "tools/say.hpp"
 
 namespace stillmap {
 
@@ -11,7 +11,7 @@ std::unique_ptr<BagSequence> open_bag(const SequenceOptions& options) {
   input.pairing.cloud_frame = parse_cloud_frame(options.cloud_frame);
   input.pairing.T_body_sensor = parse_sensor_on_body(options.sensor_on_body);
   auto sequence = std::make_unique<BagSequence>(options.path, input);
-  for (const std::string& warning : sequence->warnings()) std::cerr << "stillmap: " << warning << '\n';
+  for (const std::string& warning : sequence->warnings()) say(warning);
   return sequence;
 }
 

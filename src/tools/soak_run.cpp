@@ -12,6 +12,7 @@
 #include "io/tile_folder.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/run_summary.hpp"
+#include "tools/say.hpp"
 
 namespace stillmap {
 namespace {
@@ -71,10 +72,6 @@ void print_row(std::size_t scan, const Way& way, const Driver& driver, std::size
   std::printf("%8zu %8.3f %9.2f %9.2f %10.1f %12zu\n", scan, way.km, window[window.size() / 2], window.back(),
               way.mb, driver.mapper.voxel_count());
   std::fflush(stdout);
-}
-
-void say(const std::string& message) {
-  std::fprintf(stderr, "stillmap: %s\n", message.c_str());
 }
 
 void check(const char* what, double seen, double most) {

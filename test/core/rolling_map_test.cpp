@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/tile_packing.hpp"
+#include "core/voxel_reader.hpp"
 #include "simulation/simulator.hpp"
 #include "stillmap/mapper.hpp"
 #include "support/expect_error.hpp"
@@ -124,6 +125,37 @@ TEST(RollingMap, ImportsIntoOpenAndClosedTiles) {
   rolling.move_to({401, 0, 0}, 2);
   EXPECT_EQ(map.find(voxel_key(BlockKey(500, 0, 0), 9))->log_odds(), -2.0F);
   EXPECT_EQ(map.find(voxel_key(BlockKey(501, 0, 0), 9))->log_odds(), -2.0F);
+}
+
+TEST(RollingMap, EditsOpenPackedAndStoredTiles) {
+  VoxelMap map(0.1);
+  RollingMap rolling(map, 20, 60);
+  TilesInATable store;
+  rolling.set_store(&store);
+  rolling.move_to({0, 0, 0}, 1);
+  hit(map, {0, 0, 0}, 5, 1, 1.0F);
+  for (std::uint32_t scan = 2; scan < 40; ++scan) rolling.move_to({100, 0, 0}, scan);
+  hit(map, {125, 0, 0}, 5, 39, 1.0F);
+  for (std::uint32_t scan = 40; scan < 80; ++scan) rolling.move_to({140, 0, 0}, scan);
+  hit(map, {175, 0, 0}, 5, 79, 1.0F);
+  ASSERT_EQ(map.voxel_count(), 1u);
+  ASSERT_EQ(rolling.voxel_count(), 2u);
+  ASSERT_EQ(store.keys().size(), 1u);
+
+  const auto log_odds_at = [&](int x) {
+    return VoxelReader(rolling, 80).find({8 * x + 5, 0, 0})->log_odds();
+  };
+  const auto negate = [](BlockContents& block) {
+    for (Voxel& voxel : block.voxels) voxel.set_log_odds(-voxel.log_odds());
+    return true;
+  };
+  rolling.edit({Eigen::Vector3d(-500, 200, 0), Eigen::Vector3d(500, 201, 1)}, 80, negate);
+  for (const int x : {0, 125, 175}) EXPECT_EQ(log_odds_at(x), 1.0F) << x;
+  rolling.edit({Eigen::Vector3d(-500, 0, 0), Eigen::Vector3d(500, 1, 1)}, 80, negate);
+  for (const int x : {0, 125, 175}) EXPECT_EQ(log_odds_at(x), -1.0F) << x;
+  EXPECT_EQ(rolling.voxel_count(), 2u);
+  EXPECT_EQ(VoxelReader(rolling, 80).find({5, 0, 0})->idle, 79);
+  EXPECT_FALSE(VoxelReader(rolling, 80).find({6, 0, 0}));
 }
 
 TEST(RollingMap, APlaceThatNoVoxelCanHaveOpensNothing) {

@@ -14,6 +14,7 @@
 #include <stillmap/SaveMap.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "io/map_archive.hpp"
 #include "ros/node_harness.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -147,13 +148,19 @@ TEST_F(MapTools, GoesOnWithAnEarlierMapAndSaysWhatIsDifferent) {
   ASSERT_TRUE(gone);
   EXPECT_GT(gone->width, 10u);
 
-  for (const std::string& bad : {folder.write("foreign.stillmap", "no map"), folder.path("none.stillmap")}) {
+  const std::string whole = read_text(file), coarse = folder.path("coarse.stillmap");
+  write_map_archive(pieces_of({0, 0.2, {}}), coarse);
+  for (const std::string& bad :
+       {folder.write("foreign.stillmap", "no map"), folder.write("cut.stillmap", whole.substr(0, 500)),
+        coarse, folder.path("none.stillmap")}) {
     const LoadMap::Response refused = call_with_path<LoadMap>("load_map", bad);
     EXPECT_FALSE(refused.success);
     EXPECT_NE(refused.message.find(bad), std::string::npos) << refused.message;
     EXPECT_FALSE(call_with_path<DiffMap>("diff_map", bad).success);
     EXPECT_TRUE(explain(point(-4.99, 0.04, 0.1)).in_map) << "the map stays as it was";
   }
+  EXPECT_NE(call_with_path<LoadMap>("load_map", coarse).message.find("voxel_size_m is 0.1"),
+            std::string::npos);
   const LoadMap::Response loaded = call_with_path<LoadMap>("load_map", file);
   EXPECT_TRUE(loaded.success) << loaded.message;
   EXPECT_EQ(explain(point(4.99, 0.04, 0.1)).label, 1);
@@ -181,6 +188,8 @@ TEST_F(MapTools, FollowsACorrectedPath) {
   nav_msgs::Path elsewhere = path, foreign = path;
   elsewhere.header.frame_id = "map";
   publish(elsewhere, "the path is in frame 'map' and the map in 'camera_init'");
+  for (geometry_msgs::PoseStamped& pose : foreign.poses) pose.header.stamp += ros::Duration(1000);
+  publish(foreign, "/corrected_path: not used, the map stays as it is: the corrected path has 8 poses");
   EXPECT_TRUE(explain(point(4.99, -4.5, 0.1)).in_map) << "the map stays as it was";
   publish(path, "/corrected_path: the map follows the corrected trajectory, 1 submaps, the farthest by 3 m");
   EXPECT_TRUE(explain(point(0.04, 7.99, 0.1)).in_map) << "the wall that stood at 5 m";

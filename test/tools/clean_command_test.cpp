@@ -97,6 +97,9 @@ struct CleanCommandTest : testing::Test {
 
 TEST_F(CleanCommandTest, MovingPointsGoAndAllElseStays) {
   const Recording before(in()), after = clean("");
+  ASSERT_EQ(before.others.size(), 3u);
+  EXPECT_EQ(before.others.at("/note").size(), 1u);
+  EXPECT_GE(before.others.at("/Odometry").size(), std::size_t{kScans});
   EXPECT_EQ(after.others, before.others);  // /Odometry, /tf, /note: each in order, bit by bit
   ASSERT_EQ(after.clouds.size(), 1u);
   ASSERT_EQ(after.clouds.at(kTopic).size(), before.clouds.at(kTopic).size());

@@ -137,6 +137,29 @@ TEST_F(LoopClosureTest, ACorrectedPathTakesTheDoubleWallAway) {
   EXPECT_FALSE(mapper.correct_trajectory(drive().corrected_path()).applied);
 }
 
+/// Scans that see 8 m far: the other side of the yard is closed away when the loop is closed.
+TEST_F(LoopClosureTest, WhatIsFarFollowsToo) {
+  Parameters near = with_submaps(), plain;
+  near.max_range_m = plain.max_range_m = 8;
+  Mapper mapper = drive().mapped(near, false);
+  const Mapper right = drive().mapped(plain, true);
+  EXPECT_GT(measured("far: wrong before, %", percent_alone(mapper, right)), 15);
+  EXPECT_TRUE(mapper.correct_trajectory(drive().corrected_path()).applied);
+  EXPECT_LT(measured("far: wrong after, %", percent_alone(mapper, right)), 1);
+  EXPECT_LT(measured("far: lost, %", percent_alone(right, mapper)), 3);
+  EXPECT_EQ(mapper.voxel_count(), mapper.snapshot()->voxels.size());
+
+  // The tiles go their way again.
+  const SimulatedFrame& last = drive().frames.back();
+  for (int k = 1; k < 40; ++k) {
+    Scan next = last.frame.scan;
+    next.stamp_ns += std::int64_t{100'000'000} * k;
+    mapper.process(next, last.T_map_sensor_true);
+  }
+  EXPECT_EQ(mapper.voxel_count(), mapper.snapshot()->voxels.size());
+  EXPECT_LT(measured("far: lost later, %", percent_alone(right, mapper)), 3);
+}
+
 TEST_F(LoopClosureTest, AJumpOfTheNewestPoseIsSpreadOverTheWay) {
   Mapper mapper = drive().mapped(with_submaps(), false);
   const SimulatedFrame& last = drive().frames.back();
