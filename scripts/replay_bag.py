@@ -15,8 +15,9 @@ import time
 
 import rosbag
 import rospy
+from geometry_msgs.msg import Point
 from stillmap.msg import Status
-from stillmap.srv import SaveMap
+from stillmap.srv import ExplainPoint, SaveMap
 from std_srvs.srv import SetBool
 
 SILENCE_S = 20.0  # wall time without an answer after which the replay counts as over
@@ -32,7 +33,7 @@ def main():
         answers = Answers(scans, roslaunch)
         if options.picture:
             answers.wait_for(options.at_scan or scans * 2 // 3)
-            take_picture(options.picture)
+            take_picture(options.picture, options.explain)
         answers.wait_for(scans)
         for path in options.save_map:
             save_map(path)
@@ -46,6 +47,7 @@ def parse_options():
     parser.add_argument("--save-map", action="append", default=[], metavar="FILE", help="at the end; may repeat")
     parser.add_argument("--log", metavar="FILE", help="for what roslaunch and the nodes print [the terminal]")
     parser.add_argument("--picture", metavar="PNG", help="of the whole screen, with the replay paused; needs rviz:=true")
+    parser.add_argument("--explain", metavar='"X Y Z"', help="a place of the map that the picture explains")
     parser.add_argument("--at-scan", type=int, metavar="N", help="when to take it [after two thirds]")
     return parser.parse_intermixed_args()
 
@@ -130,10 +132,12 @@ class Answers:
         return 1
 
 
-def take_picture(path):
+def take_picture(path, place):
     """Still, so that all that rviz shows is of the same moment."""
     pause = rospy.ServiceProxy("/bag/pause_playback", SetBool)
     pause(True)
+    if place:
+        print(rospy.ServiceProxy("/stillmap/explain_point", ExplainPoint)(Point(*map(float, place.split()))).message)
     time.sleep(RVIZ_DRAWS_S)
     subprocess.run(["import", "-window", "root", path], check=True)
     print(path)

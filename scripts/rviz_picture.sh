@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A picture of what rviz shows of a bag, taken without a screen; the replay is slow because rviz then draws in software.
-# Usage: scripts/rviz_picture.sh BAG OUT.png [--at-scan N] [NAME:=VALUE for stillmap.launch ...]
+# Usage: scripts/rviz_picture.sh BAG OUT.png [--at-scan N] [--explain "X Y Z"] [NAME:=VALUE for stillmap.launch ...]
 # Needs the packages rviz xvfb xauth imagemagick and a sourced workspace (. build/devel/setup.sh).
 set -euo pipefail
 if [ $# -lt 2 ]; then
