@@ -1,4 +1,4 @@
-# catkin: messages, and what an installed package needs. Included by the top CMakeLists.txt when STILLMAP_WITH_ROS is on.
+# catkin: messages, and what other packages are told. Included by the top CMakeLists.txt when STILLMAP_WITH_ROS is on.
 
 # TBB has a CMake configuration of its own, and the build makes the folder of the version header.
 #catkin_lint: ignore missing_cmake_modules missing_directory
@@ -19,12 +19,5 @@ catkin_package(
   LIBRARIES stillmap_core
   CATKIN_DEPENDS diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet pluginlib
     rosbag_storage roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros visualization_msgs xmlrpcpp
-  DEPENDS EIGEN3)
-
-install(DIRECTORY include/stillmap/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
-catkin_install_python(PROGRAMS scripts/draw_stages.py scripts/render.py scripts/replay_bag.py
-  DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(PROGRAMS scripts/rviz_picture.sh DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(FILES scripts/labelled_sequence.py scripts/point_picture.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+  DEPENDS EIGEN3
+  CFG_EXTRAS stillmap-extras.cmake)

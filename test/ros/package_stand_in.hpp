@@ -41,6 +41,9 @@ struct PackageConventions {
   std::uint32_t point_step = 32;  ///< 12: xyz alone; 32, 48: PCL's PointXYZI, PointXYZINormal
 };
 
+/// One for each preset, as the package's sources have it.
+const std::vector<PackageConventions>& known_packages();
+
 /// The messages that the package would send of the scans.
 std::vector<sensor_msgs::PointCloud2> clouds_of(const PackageConventions& package,
                                                 const std::vector<TrueScan>& scans);

@@ -18,38 +18,6 @@ namespace stillmap {
 namespace {
 
 constexpr std::size_t kScans = 11;  // odd: the last one is a keyframe, too
-constexpr char kImu[] = "0.05 -0.02 0.28 1 -2 3";
-const CloudFrame kWorld = CloudFrame::kWorld, kBody = CloudFrame::kBody, kSensor = CloudFrame::kSensor;
-
-const std::vector<PackageConventions>& packages() {
-  static const std::vector<PackageConventions> all = {
-      {"aloam", "/velodyne_cloud_registered", "/camera_init", "/aft_mapped_to_init", "/camera_init",
-       "/aft_mapped", kWorld},
-      {"loam", "/velodyne_cloud_registered", "/camera_init", "/aft_mapped_to_init", "/camera_init",
-       "/aft_mapped", kWorld, true},
-      {"lego_loam", "/velodyne_points", "velodyne", "/integrated_to_init", "/camera_init", "/camera", kSensor,
-       true},
-      {"lio_sam", "/lio_sam/mapping/cloud_registered_raw", "odom", "/lio_sam/mapping/odometry", "odom",
-       "odom_mapping", kWorld},
-      {"fast_lio", "/cloud_registered", "camera_init", "/Odometry", "camera_init", "body", kWorld, false,
-       kImu, PoseStamps::kOfTheScans, 48},
-      {"point_lio", "/cloud_registered_body", "body", "/aft_mapped_to_init", "camera_init", "body", kBody,
-       false, kImu, PoseStamps::kOfTheScans, 48},
-      {"dlio", "/robot/dlio/odom_node/pointcloud/deskewed", "odom", "/robot/dlio/odom_node/odom", "odom",
-       "base_link", kWorld, false, "0.2 0 0.4 0 0 90", PoseStamps::kHundredPerSecond},
-      {"kiss_icp", "/kiss/frame", "velodyne", "/kiss/odometry", "odom", "", kSensor, false, "",
-       PoseStamps::kOfTheScans, 12},
-      {"hdl_graph_slam", "/filtered_points", "base_link", "/odom", "odom", "base_link", kBody, false,
-       "0 0 1.2 0 5 0", PoseStamps::kCutToMicroseconds},
-      {"glim", "/glim_ros/points", "imu", "/glim_ros/odom", "odom", "imu", kBody, false, kImu,
-       PoseStamps::kMicrosecondLater},
-      {"sc_pgo", "/velodyne_cloud_registered_local", "/camera_init", "/aft_pgo_odom", "/camera_init",
-       "/aft_pgo", kSensor, false, "", PoseStamps::kEveryOtherScanAsDouble},
-      {"generic", "/cloud_registered", "map", "/Odometry", "map", "base_link", kWorld, false, kImu},
-  };
-  return all;
-}
-
 const std::vector<TrueScan>& scans() {
   static const std::vector<TrueScan> all = true_scans(kScans);
   return all;
@@ -187,57 +155,13 @@ TEST_P(Presets, TheDoctorTellsOfAnotherFrame) {
   EXPECT_NE(said.find("set cloud_frame to world"), std::string::npos) << said;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Presets, testing::ValuesIn(packages()),
+INSTANTIATE_TEST_SUITE_P(All, Presets, testing::ValuesIn(known_packages()),
                          [](const auto& info) { return info.param.preset; });
-
-std::string output_of(const std::string& command) {
-  FILE* const pipe = popen(command.c_str(), "r");
-  std::string text;
-  for (int c = pipe ? std::fgetc(pipe) : EOF; c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
-  EXPECT_EQ(pipe ? pclose(pipe) : -1, 0) << command;
-  return text;
-}
-std::string parameters_of_launch(const std::string& arguments) {
-  return output_of("roslaunch --dump-params stillmap stillmap.launch " + arguments);
-}
-
-TEST(LaunchFile, GivesTheNodeWhatIsNamedOnly) {
-  const std::string preset_alone = parameters_of_launch("preset:=dlio");
-  EXPECT_NE(preset_alone.find("/stillmap/odometry_preset: dlio"), std::string::npos) << preset_alone;
-  EXPECT_EQ(preset_alone.find("_topic"), std::string::npos) << preset_alone;
-  EXPECT_EQ(preset_alone.find("cloud_frame"), std::string::npos) << preset_alone;
-  EXPECT_EQ(preset_alone.find("sensor_on_body"), std::string::npos) << preset_alone;
-  const std::string named =
-      parameters_of_launch("preset:=dlio cloud_topic:=/x odom_topic:=tf2 cloud_frame:=sensor");
-  EXPECT_NE(named.find("/stillmap/cloud_topic: /x"), std::string::npos) << named;
-  EXPECT_NE(named.find("/stillmap/odom_topic: ''"), std::string::npos) << named;
-  EXPECT_NE(named.find("/stillmap/cloud_frame: sensor"), std::string::npos) << named;
-}
-
-TEST(LaunchFile, ShowsTheMapsFrameInRviz) {
-  std::string presets, frames;
-  for (const PackageConventions& package : packages()) {
-    if (package.preset == "generic") continue;  // any frame
-    presets += " " + package.preset;
-    frames += package.odom_frame_id.substr(package.odom_frame_id.find_first_not_of('/')) +
-              (package.loam_axes ? "_z_up" : "") + "\n";
-  }
-  const std::string print_frames =
-      "import sys, roslaunch.config, roslaunch.xmlloader as loader\n"
-      "for preset in sys.argv[2:]:\n"
-      "  config = roslaunch.config.ROSLaunchConfig()\n"
-      "  loader.XmlLoader().load(sys.argv[1], config, argv=['preset:=' + preset, 'rviz:=true'], "
-      "verbose=False)\n"
-      "  print([node.args.split(' -f ')[1] for node in config.nodes if node.name == 'rviz'][0])\n";
-  EXPECT_EQ(output_of("/usr/bin/python3 -c \"" + print_frames +
-                      "\" $(rospack find stillmap)/launch/stillmap.launch" + presets),
-            frames);
-}
 
 TEST(PresetFiles, EachHasItsStandIn) {
   std::vector<std::string> files, tested;
   for (const OdometryPreset& preset : odometry_presets()) files.push_back(preset.name);
-  for (const PackageConventions& package : packages()) tested.push_back(package.preset);
+  for (const PackageConventions& package : known_packages()) tested.push_back(package.preset);
   std::sort(tested.begin(), tested.end());
   EXPECT_EQ(files, tested);
 }

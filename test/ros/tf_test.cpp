@@ -17,7 +17,7 @@ class Tf : public testing::Test {
   static void TearDownTestSuite() { publisher_.shutdown(); }
   void SetUp() override {
     ASSERT_TRUE(harness_.wait_for_connections());
-    ASSERT_TRUE(harness_.wait_until([this] { return publisher_.getNumSubscribers() > 0; }));
+    ASSERT_TRUE(harness_.wait_until([] { return publisher_.getNumSubscribers() > 0; }));
   }
   void publish_transform(int k) {
     geometry_msgs::TransformStamped transform;
