@@ -9,6 +9,7 @@ namespace {
 
 double mean_of_lowest(const std::vector<Eigen::Vector3d>& points, int count) {
   std::vector<double> heights;
+  heights.reserve(points.size());
   for (const Eigen::Vector3d& point : points) heights.push_back(point.z());
   const std::size_t used = std::min(heights.size(), static_cast<std::size_t>(count));
   std::partial_sort(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(used), heights.end());

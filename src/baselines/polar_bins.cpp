@@ -38,6 +38,7 @@ double ground_below_m(const std::vector<Eigen::Vector3d>& upright_returns) {
   }
   if (lowest_m.empty()) return 0;
   std::vector<double> heights_m;
+  heights_m.reserve(lowest_m.size());
   for (const auto& entry : lowest_m) heights_m.push_back(entry.second);
   const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
   std::nth_element(heights_m.begin(), middle, heights_m.end());

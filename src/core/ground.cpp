@@ -13,6 +13,7 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::max();
 
 /// One axis of n points in another frame; `axis` is that axis in their own.
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a copy stays in registers
 STILLMAP_VECTOR_CLONES void turn_onto(const Eigen::Vector3f axis, std::size_t n, const float* __restrict x,
                                       const float* __restrict y, const float* __restrict z,
                                       float* __restrict turned) {

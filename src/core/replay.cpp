@@ -24,6 +24,7 @@ struct Batch {
 
 STILLMAP_VECTOR_CLONES void see(Batch& batch, const Eigen::Vector3d& origin_map_m,
                                 const Eigen::Matrix3f& R_sensor_map) {
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a copy stays in registers
   const Eigen::Matrix3f R = R_sensor_map;
   const double x0 = origin_map_m.x(), y0 = origin_map_m.y(), z0 = origin_map_m.z();
   for (std::size_t i = 0; i < batch.size; ++i) {

@@ -1,8 +1,8 @@
 #include "evaluation/process_cost.hpp"
 
 #include <malloc.h>
-#include <time.h>
 
+#include <ctime>
 #include <fstream>
 #include <string>
 

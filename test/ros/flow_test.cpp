@@ -111,7 +111,9 @@ TEST(Flow, TheNodeSaysWhatTheCommandLineSays) {
     expect_labels(*answer->labelled_points, out / "online" / name_of(k++));
     dynamic_points += row_count(*answer->dynamic_points);
     clouds.push_back(cloud);
-    if (k > 5) ASSERT_NE(harness.resolved(clouds[k - 6]->header.stamp), nullptr) << "5 scans after " << k - 6;
+    if (k > 5) {
+      ASSERT_NE(harness.resolved(clouds[k - 6]->header.stamp), nullptr) << "5 scans after " << k - 6;
+    }
     EXPECT_EQ(harness.resolved(cloud->header.stamp, 0), nullptr) << "not before its time";
   }
   for (k = 0; k < clouds.size(); ++k) {  // the last five come when the scans have ceased
