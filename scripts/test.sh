@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, runs every test. Then it builds without ROS, which must also work, and
-# runs the command line of that build; its tests would be the same ones again.
+# Installs what is missing, builds everything, runs every test. Then it builds without ROS and unoptimised, which must
+# also work, and compares the labels of the two builds; its tests would be the same ones again.
 # The build folders are build/ and build_core/ in the repository.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -30,18 +30,12 @@ run_tests() {
   ctest --test-dir build -j "$(nproc)" --output-on-failure --no-tests=error 2>&1 | tee build/ctest.log
 }
 
-label_without_ros() {
-  local stillmap=build_core/devel/lib/stillmap/stillmap
-  rm -rf build_core/street build_core/labels
-  "$stillmap" simulate street build_core/street --sensor vlp16 --scans 5
-  "$stillmap" label build_core/street build_core/labels
-}
-
 timed "install" bash scripts/setup.sh
-timed "build" build build
+# Warnings are errors here alone: a user's compiler may know more of them.
+timed "build" build build -DCMAKE_CXX_FLAGS="-Wpedantic -Werror"
 timed "tests" run_tests
-timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF
-timed "label without ROS" label_without_ros
+timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF -DCMAKE_BUILD_TYPE=Debug
+timed "determinism" bash scripts/determinism.sh
 
 printf '\nSlowest tests:\n'
 sed -nE 's/^.*Test +#[0-9]+: (\S+) .* ([0-9.]+) sec.*$/\2 s  \1/p' build/ctest.log | sort -rn | head -10 | sed 's/^/  /'
