@@ -11,11 +11,13 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "io/parameters_yaml.hpp"
 #include "ros/node_interface.hpp"
 #include "ros/node_parameters.hpp"
+#include "ros/odometry_presets.hpp"
 #include "stillmap/parameters.hpp"
 
 namespace stillmap {
@@ -84,6 +86,16 @@ void print_service(const std::string& name) {
   print_definition<typename Service::Response>("`stillmap/" + name + "`, response");
 }
 
+void print_presets() {
+  std::cout << "| `preset` | clouds | poses | `cloud_frame` |\n|---|---|---|---|\n";
+  for (const OdometryPreset& preset : odometry_presets()) {
+    NodeParameters node;
+    apply_odometry_preset(preset.name, node);
+    std::cout << "| `" << preset.name << "` | `" << node.cloud_topic << "` | `" << node.odom_topic << "` | `"
+              << node.cloud_frame << "` |\n";
+  }
+}
+
 void print_reference() {
   const NodeParameters node;
   const Parameters method;
@@ -116,7 +128,9 @@ void print_reference() {
 void add_reference_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("reference", "Print the reference of parameters, topics, services and messages");
-  command->callback(print_reference);
+  const auto presets_alone = std::make_shared<bool>(false);
+  command->add_flag("--presets", *presets_alone, "Only the odometry packages that are known, as a table");
+  command->callback([presets_alone] { *presets_alone ? print_presets() : print_reference(); });
 }
 
 }  // namespace stillmap
