@@ -5,6 +5,9 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <signal.h>
+#include <stillmap/DiffMap.h>
+#include <stillmap/ExplainPoint.h>
+#include <stillmap/SaveMap.h>
 
 #include <filesystem>
 
@@ -32,6 +35,18 @@ class Recording : public LoadedNodelet {
   void stop_recorder(const std::string& name) {
     kill(pid_, SIGINT);
     ASSERT_TRUE(harness_->wait_until([&] { return fs::exists(bag_file(name)); }, 60));
+  }
+  /// Some outputs are published when a service asks for them.
+  void ask() {
+    SaveMap save;
+    DiffMap difference;
+    ExplainPoint explanation;
+    save.request.path = difference.request.path = folder_.path("map.stillmap");
+    explanation.request.point.x = 4.99;
+    explanation.request.point.z = 0.1;
+    EXPECT_TRUE(ros::service::call("/stillmap/save_map", save) && save.response.success);
+    EXPECT_TRUE(ros::service::call("/stillmap/diff_map", difference) && difference.response.success);
+    EXPECT_TRUE(ros::service::call("/stillmap/explain_point", explanation) && explanation.response.success);
   }
   std::string bag_file(const std::string& name) const { return folder_.path(name + ".bag"); }
 
@@ -63,6 +78,8 @@ TEST_F(Recording, EveryOutputIsRecordedAndPlayed) {
     ASSERT_NE(send(), nullptr);
     harness_->wait_until([] { return false; }, 0.2);  // the recorder must find the topics
   }
+  ask();
+  harness_->wait_until([] { return false; }, 1);
   stop_recorder("recorded");
   start_recorder("/played/", "played");
   ASSERT_TRUE(run("rosbag play --quiet --wait-for-subscribers --prefix=/played --bags=" +
