@@ -57,6 +57,10 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   number("log_odds_min", "", -15.0, -0.1, p.log_odds_min, "lower bound of L");
   number("log_odds_max", "", 0.1, 15.0, p.log_odds_max, "upper bound of L");
   number("forgetting", "", 0.0, 0.5, p.forgetting, "lambda of eq. (8), for each observation");
+  number(
+      "settle_time_s", "s", 0.0, 300.0, p.settle_time_s,
+      "steady support that takes what moved in from log_odds_min to 0: a mover that stops stays out of the "
+      "static map so long; 0 = off");
 
   number("p_static_min", "", 0.5, 1.0, p.p_static_min, "tau_sta of eq. (9)");
   number("p_dynamic_max", "", 0.0, 0.5, p.p_dynamic_max, "tau_dyn of eq. (9)");

@@ -44,6 +44,7 @@ struct Parameters {
   double log_odds_min = -4.0;
   double log_odds_max = 4.0;
   double forgetting = 0.002;
+  double settle_time_s = 60.0;
 
   // Decision, eq. (9).
   double p_static_min = 0.7;

@@ -13,10 +13,11 @@ struct Voxel {
   std::uint8_t hits = 0;            ///< scans that returned from it, saturating
   std::uint8_t idle = 0;            ///< scans since it was last hit, saturating; see VoxelBlock::age()
   std::uint8_t age = 0;             ///< scans since it was first hit, likewise
-  std::uint8_t seen_through : 7;    ///< scans that saw through it, saturating
+  std::uint8_t seen_through : 6;    ///< scans that saw through it, saturating
+  std::uint8_t moved_in : 1;        ///< when it was first hit, earlier scans had seen through its place
   std::uint8_t came_back : 1;       ///< hit again after it was seen through, as porous things are
 
-  Voxel() : seen_through(0), came_back(0) {}
+  Voxel() : seen_through(0), moved_in(0), came_back(0) {}
 
   static constexpr float kLogOddsScale = 2048.0F;
   float log_odds() const { return log_odds_fixed / kLogOddsScale; }
@@ -45,7 +46,7 @@ struct Voxel {
     age = static_cast<std::uint8_t>(std::min(255U, age + scans));
   }
   void see_through() {
-    if (seen_through < 0x7F) seen_through = static_cast<std::uint8_t>(seen_through + 1) & 0x7F;
+    if (seen_through < 0x3F) seen_through = static_cast<std::uint8_t>(seen_through + 1) & 0x3F;
   }
   /// Mean place of its returns, in voxel edges from the low corner.
   Eigen::Vector3f surface_offset() const {

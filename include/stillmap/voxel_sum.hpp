@@ -14,7 +14,8 @@ inline Voxel sum(const Voxel& a, const Voxel& b, float log_odds_min, float log_o
   voxel.hits = static_cast<std::uint8_t>(std::min(0xFF, a.hits + b.hits));
   voxel.idle = std::min(a.idle, b.idle);
   voxel.age = std::max(a.age, b.age);
-  voxel.seen_through = static_cast<std::uint8_t>(std::min(0x7F, a.seen_through + b.seen_through)) & 0x7F;
+  voxel.seen_through = static_cast<std::uint8_t>(std::min(0x3F, a.seen_through + b.seen_through)) & 0x3F;
+  voxel.moved_in = (a.moved_in | b.moved_in) & 1;
   voxel.came_back = (a.came_back | b.came_back) & 1;
   return voxel;
 }

@@ -84,15 +84,26 @@ void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockPr
 }
 
 void Mapper::State::update(Voxel& voxel, const FusedEvidence& evidence, float factor) const {
+  if (evidence.kind() == Evidence::kSupport && is_settling(voxel)) return let_settle(voxel);
   const float increment = evidence.increment(voxel.log_odds(), p_static[voxel.log_odds_fixed]);
   voxel.set_log_odds(recursion(voxel.log_odds(), factor * increment));
 }
 
 void Mapper::State::support(Voxel& voxel) const {
+  if (is_settling(voxel)) return let_settle(voxel);
   const float log_odds = voxel.log_odds();
   const bool full = parameters.full_support_on_return && voxel.came_back != 0;
   const float eta = full ? models.front().eta : own_hit.eta(log_odds);
   voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_static[voxel.log_odds_fixed])));
+}
+
+bool Mapper::State::is_settling(const Voxel& voxel) const {
+  return voxel.moved_in != 0 && voxel.came_back == 0 && voxel.log_odds_fixed < 0 &&
+         parameters.settle_time_s > 0;
+}
+
+void Mapper::State::let_settle(Voxel& voxel) const {
+  voxel.set_log_odds(std::min(voxel.log_odds() + settling_step, 0.0F));
 }
 
 float Mapper::State::conflict_factor(bool is_porous, bool beside_surface) const {

@@ -1,5 +1,6 @@
 #include "stillmap/mapper.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -78,7 +79,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
   State& s = *state_;
   ++s.scan_count;
   ++s.revision;
-  s.stamp_ns = scan.stamp_ns;
+  s.go_on_to(scan.stamp_ns);
   s.arena.execute([&] {
     ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
     s.ended(Stage::kRangeImage);
@@ -104,6 +105,15 @@ SensorState& Mapper::State::sensor(int index) {
     sensors.push_back({GeometryEstimator(given_geometry(parameters)),
                        ScanHistory(parameters.history_recent, parameters.history_spread)});
   return sensors[static_cast<std::size_t>(index)];
+}
+
+void Mapper::State::go_on_to(std::int64_t next_stamp_ns) {
+  constexpr double kSteadyS = 1.0;  // a longer gap proves no more than that
+  const double gap_s = scan_count > 1 ? static_cast<double>(next_stamp_ns - stamp_ns) * 1e-9 : 0.0;
+  stamp_ns = next_stamp_ns;
+  if (parameters.settle_time_s <= 0) return;
+  const double share = std::clamp(gap_s, 0.0, kSteadyS) / parameters.settle_time_s;
+  settling_step = static_cast<float>(-parameters.log_odds_min * share);
 }
 
 ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {

@@ -71,6 +71,7 @@ struct Mapper::State {
   std::uint32_t scan_count = 0;
   std::int64_t stamp_ns = 0;
   std::uint64_t revision = 0;
+  float settling_step = 0;  ///< of log-odds, in the present scan
 
   // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
   SensorGeometry beams;
@@ -100,6 +101,7 @@ struct Mapper::State {
   std::uint32_t scans_of_all(std::uint32_t scans_of_one) const {
     return scans_of_one * static_cast<std::uint32_t>(sensors.size());
   }
+  void go_on_to(std::int64_t next_stamp_ns);
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
   void evidence_of(const ScanView& view);
   /// No return, and no voxel that a return says something about, lies in a block whose corner is farther.
@@ -138,6 +140,9 @@ struct Mapper::State {
   Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
   void update(Voxel& voxel, const FusedEvidence& evidence, float factor) const;
   void support(Voxel& voxel) const;
+  /// What moved in and stays gains, however strong its support, settling_step a scan as long as L < 0.
+  bool is_settling(const Voxel& voxel) const;
+  void let_settle(Voxel& voxel) const;
   float conflict_factor(bool is_porous, bool beside_surface) const;
   BeamShare beam_share(const SensorGeometry& of_beams) const;
 

@@ -88,10 +88,14 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
     const BeamShare share = beam_share(sensor.beams);
     sensor.history.for_each([&](const ScanView& earlier) { judge(earlier, sensor.scans, share); });
   }
+  constexpr float kClearly = 0.75F;  // of log_odds_min: several scans, each beyond doubt
+  const float moved_in_below = kClearly * recursion.log_odds_min;
   for (std::size_t i = 0; i < batch.size; ++i) {
     float log_odds = batch.log_odds[i];
+    Voxel& voxel = voxel_of(voxel_of_row[batch.rows[i]]);
+    voxel.moved_in = log_odds < moved_in_below;
     if (parameters.hit_is_support) log_odds = recursion(log_odds, own_hit.increment(log_odds));
-    voxel_of(voxel_of_row[batch.rows[i]]).set_log_odds(log_odds);
+    voxel.set_log_odds(log_odds);
   }
 }
 

@@ -30,6 +30,7 @@ const std::vector<AblationSwitch>& switches() {
       {"no replay of earlier scans", {{"history_recent", "0"}, {"history_spread", "0"}}},
       {"no replay chosen by place", {{"history_spread", "0"}}},
       {"replayed support of any age", {{"replay_support_min_age", "1"}}},
+      {"what moved in does not have to settle", {{"settle_time_s", "0"}}},
       {"full support while dynamic", {{"support_rate_when_dynamic", "0.8"}}},
       {"one coarse image", {{"angular_levels_deg", "[2.0]"}}},
       {"the paper's three images", {{"angular_levels_deg", "[2.5, 2.0, 1.5]"}}},

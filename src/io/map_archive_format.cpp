@@ -13,7 +13,8 @@ Voxel decode_voxel(LittleEndianReader& in) {
   voxel.idle = in.get<std::uint8_t>();
   voxel.age = in.get<std::uint8_t>();
   const auto flags = in.get<std::uint8_t>();
-  voxel.seen_through = flags & 0x7F;
+  voxel.seen_through = flags & 0x3F;
+  voxel.moved_in = flags >> 6 & 1;
   voxel.came_back = flags >> 7;
   return voxel;
 }
@@ -36,7 +37,7 @@ void encode(const BlockContents& block, std::string& bytes) {
     out.put(voxel.hits);
     out.put(voxel.idle);
     out.put(voxel.age);
-    out.put(static_cast<std::uint8_t>(voxel.seen_through | voxel.came_back << 7));
+    out.put(static_cast<std::uint8_t>(voxel.seen_through | voxel.moved_in << 6 | voxel.came_back << 7));
   }
 }
 

@@ -21,7 +21,7 @@ namespace stillmap::map_archive {
 
 inline constexpr char kMagic[] = "STILLMAP";
 inline constexpr std::size_t kMagicBytes = sizeof(kMagic) - 1;
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::size_t kHeaderBytes = kMagicBytes + 4 + 8 + 8 + 4;
 inline constexpr std::size_t kSectionHeadBytes = 4 + 4 + 4;
 inline constexpr std::size_t kEndBytes = 8 + 8;

@@ -20,6 +20,7 @@ struct Voxel {
   Eigen::Vector3d surface = Eigen::Vector3d::Constant(0.5);  ///< in voxel edges
   int born = 0, last_hit = 0, hits = 0;
   int seen_through = 0;  ///< scans
+  bool moved_in = false;
   bool came_back = false;
 };
 

@@ -24,6 +24,9 @@ class Mapper {
 
   std::vector<Label> process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
     ++scan_;
+    const double gap_s = scan_ > 1 ? static_cast<double>(scan.stamp_ns - stamp_ns_) * 1e-9 : 0;
+    steady_s_ = std::clamp(gap_s, 0.0, 1.0);
+    stamp_ns_ = scan.stamp_ns;
     const auto view = std::make_shared<View>(view_of(scan, T_map_sensor));
     const std::vector<std::pair<Key, Eigen::Vector3d>> born = insert(scan, T_map_sensor);
     if (p_.evidence_goes_to == "nearest_voxel") {
@@ -145,6 +148,13 @@ class Mapper {
     return std::clamp((1 - p_.forgetting) * log_odds + increment, p_.log_odds_min, p_.log_odds_max);
   }
 
+  bool must_settle(const Voxel& voxel) const {
+    return voxel.moved_in && !voxel.came_back && voxel.log_odds < 0 && p_.settle_time_s > 0;
+  }
+  double settled(const Voxel& voxel) const {
+    return std::min(0.0, voxel.log_odds - p_.log_odds_min * steady_s_ / p_.settle_time_s);
+  }
+
   /// Between beams farther apart than conflict_reach_voxels a conflict counts less.
   double share(double range_m) const {
     constexpr double kRad = 3.14159265358979 / 180;
@@ -160,11 +170,19 @@ class Mapper {
     for (auto& [key, voxel] : voxels_) {
       if (voxel.born == scan_) continue;
       if (voxel.last_hit == scan_ && p_.hit_is_support) {
+        if (must_settle(voxel)) {
+          voxel.log_odds = kept(settled(voxel));
+          continue;
+        }
         const bool full = p_.full_support_on_return && voxel.came_back;
         voxel.log_odds = kept(updated(voxel.log_odds, {0, true}, 1, full));
         continue;
       }
       const Fused fused = evidence(view, surface_of(key, voxel));
+      if (fused.support && fused.conflict == 0 && must_settle(voxel)) {
+        voxel.log_odds = kept(settled(voxel));
+        continue;
+      }
       if (fused.conflict > 0) ++voxel.seen_through;
       const bool is_porous =
           voxel.came_back || (voxel.seen_through < 8 && known_surface_.is_porous_beside(key));
@@ -194,7 +212,7 @@ class Mapper {
       voxels_[key].log_odds = kept(updated(voxels_[key].log_odds, evidence));
   }
 
-  double replayed(const Key& key, const Eigen::Vector3d& point_map_m) const {
+  double replayed(const Key& key, const Eigen::Vector3d& point_map_m) {
     double log_odds = 0;
     const double factor = known_surface_.is_porous_beside(key) ? p_.conflict_porous : 1;
     if (p_.history_recent + p_.history_spread > 0)
@@ -204,6 +222,7 @@ class Mapper {
         if (fused.conflict == 0 && age < p_.replay_support_min_age) fused.support = false;
         log_odds = updated(log_odds, fused, factor * share(fused.range_m));
       }
+    voxels_[key].moved_in = log_odds < 0.75 * p_.log_odds_min;
     return p_.hit_is_support ? updated(log_odds, {0, true}) : log_odds;
   }
 
@@ -226,6 +245,8 @@ class Mapper {
 
   Parameters p_;
   int scan_ = 0;
+  std::int64_t stamp_ns_ = 0;
+  double steady_s_ = 0;  ///< since the scan before, for settle_time_s
   std::map<Key, Voxel> voxels_;
   KnownSurface known_surface_;
   std::vector<std::shared_ptr<const View>> views_;

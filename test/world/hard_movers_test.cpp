@@ -100,6 +100,37 @@ TEST(HardMovers, SomeoneWhoStops) {
   }
 }
 
+/// Percent of the parked car's returns that are static in the map, by the time it has stood.
+struct Settling {
+  double after_45_s = 0, after_75_s = 0;
+};
+
+Settling settling_of_a_car_that_parks(const std::string& sensor, const Parameters& parameters) {
+  constexpr double kDrivesS = 2.5, kRateHz = 4;
+  World world = road_between_houses(60);
+  Random random(37);
+  add_car(&world, Path({{-12, 4}, {30, 4}}), SpeedProfile::stopping(kDrivesS, 8), &random);
+  Mapper mapper{parameters};
+  RunOptions options{sensor, static_cast<int>((kDrivesS + 76) * kRateHz)};
+  options.scan_rate_hz = kRateHz;
+  const auto scans = run(&mapper, world, standing_at(0, 0, 1.7), options);
+  const auto is_static = [&](double stood_s) {
+    const auto scan = static_cast<std::size_t>((kDrivesS + stood_s) * kRateHz);
+    return percent(scans[scan], is_moving, Label::kStatic);
+  };
+  return {is_static(45), is_static(75)};
+}
+
+TEST(HardMovers, ACarThatParksSettlesAfterItsTime) {
+  const Settling by_default = settling_of_a_car_that_parks("vlp16", Parameters{});
+  EXPECT_LE(measured("static after 45 s, %", by_default.after_45_s), 10);
+  EXPECT_GE(measured("static after 75 s, %", by_default.after_75_s), 90);
+  Parameters patient;
+  patient.settle_time_s = 150;
+  const Settling later = settling_of_a_car_that_parks("vlp16", patient);
+  EXPECT_LE(measured("settle_time_s 150: static after 75 s, %", later.after_75_s), 10);
+}
+
 TEST(HardMovers, ADoorThatOpens) {
   World world = corridor(8);
   add_door(&world, {5, -0.5}, M_PI / 2, 1.4, 2, 1.0, 2.1);

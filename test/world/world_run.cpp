@@ -7,8 +7,6 @@
 namespace stillmap::simulation {
 namespace {
 
-constexpr double kPeriod_s = 0.1;
-
 struct Tally {
   std::size_t part = 0, all = 0;
   void add(bool counts) {
@@ -24,15 +22,16 @@ struct Tally {
 
 std::vector<JudgedScan> run(Mapper* mapper, const World& world, const SensorMotion& motion,
                             const RunOptions& options) {
+  const double gap_s = 1 / options.scan_rate_hz;
   std::vector<Eigen::Isometry3d> poses;
-  for (int k = 0; k < options.scans; ++k) poses.push_back(motion(k * kPeriod_s));
+  for (int k = 0; k < options.scans; ++k) poses.push_back(motion(k * gap_s));
   poses = odometry_poses(poses, {1, options.pose_noise_m, options.pose_noise_deg, options.drift_percent});
   const RayCaster caster(world);
   const SensorModel sensor = sensor_model(options.sensor);
   std::vector<JudgedScan> scans;
   for (int k = 0; k < options.scans; ++k) {
     Sweep sweep;
-    sweep.middle_s = k * kPeriod_s;
+    sweep.middle_s = k * gap_s;
     sweep.index = static_cast<std::uint64_t>(k);
     JudgedScan scan{cast_scan(caster, sensor, motion, sweep, options.noise), {}};
     scan.truth.frame.T_map_sensor = poses[static_cast<std::size_t>(k)];
