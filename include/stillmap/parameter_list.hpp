@@ -64,6 +64,10 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
 
   number("p_static_min", "", 0.5, 1.0, p.p_static_min, "tau_sta of eq. (9)");
   number("p_dynamic_max", "", 0.0, 0.5, p.p_dynamic_max, "tau_dyn of eq. (9)");
+  flag(
+      "calibrate_p_static", p.calibrate_p_static,
+      "a point's p_static says how often points like it stand; else it is p of eq. (1), which decides in any "
+      "case");
 
   number("history_recent", "scans", 0, 100, p.history_recent, "newest scans kept to judge new voxels");
   number("history_spread", "scans", 0, 100, p.history_spread, "older scans kept, chosen by place");

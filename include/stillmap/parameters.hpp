@@ -49,6 +49,7 @@ struct Parameters {
   // Decision, eq. (9).
   double p_static_min = 0.7;
   double p_dynamic_max = 0.3;
+  bool calibrate_p_static = true;
 
   // Replay of earlier scans for new voxels.
   int history_recent = 10;

@@ -44,7 +44,7 @@ const char* to_string(Reason reason);
 /// What process() says of each row of a scan; all three have the scan's size.
 struct ScanLabels {
   std::vector<Label> label;
-  std::vector<float> p_static;  ///< eq. (1); 0.5 where nothing is known
+  std::vector<float> p_static;  ///< probability of standing; 0.5 where nothing is known
   std::vector<Reason> reason;
 };
 

@@ -14,6 +14,7 @@ namespace stillmap {
 struct PointVerdicts {
   std::vector<Label> label;
   std::vector<float> p_static;  ///< NaN = never judged; empty when the method knows no probability
+  std::vector<Reason> reason;   ///< empty when the method gives none
 };
 
 /// A way to take moving things out of a sequence of scans: add() every scan, finish(), then ask.

@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
 #include "structure_gates.hpp"
 
@@ -44,6 +45,13 @@ Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView
   return now.kind() == Evidence::kConflict ? Reason::kSeenThroughNow : Reason::kSeenThrough;
 }
 
+void Mapper::State::calibrate() {
+  for_rows(labels.p_static.size(), [this](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row)
+      labels.p_static[row] = calibration(labels.reason[row], labels.p_static[row]);
+  });
+}
+
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
   constexpr double kOffSurfaceM = 0.02;
@@ -71,9 +79,10 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
     // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
     const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
     if (s.parameters.take_feet_along && online.label[row] == Label::kDynamic && above) continue;
-    settled.p_static[row] = p_static;
     settled.label[row] = label;
     settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
+    settled.p_static[row] =
+        s.parameters.calibrate_p_static ? s.calibration(settled.reason[row], p_static) : p_static;
   }
   return settled;
 }

@@ -93,6 +93,7 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
     s.decide(view);  // eq. (9)
     s.ended(Stage::kDecision);
     if (s.parameters.resolve_objects) s.resolve_objects(scan, T_map_sensor, view);
+    if (s.parameters.calibrate_p_static) s.calibrate();
     s.ended(Stage::kObjects);
     if (s.submaps.enabled()) s.remember_for_corrections(scan, T_map_sensor, view);
     s.sensor(scan.sensor).history.add(std::move(view));

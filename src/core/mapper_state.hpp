@@ -9,6 +9,7 @@
 
 #include "beam_share.hpp"
 #include "block_projection.hpp"
+#include "calibration.hpp"
 #include "clusters.hpp"
 #include "ground.hpp"
 #include "located_rows.hpp"
@@ -59,6 +60,7 @@ struct Mapper::State {
   Recursion recursion;
   Decision decision;
   ProbabilityTable p_static;
+  Calibration calibration;
   std::vector<SensorState> sensors;  ///< by Scan::sensor
   VoxelMap map;                      ///< what a scan can touch
   RollingMap rolling;                ///< all of it
@@ -202,6 +204,7 @@ struct Mapper::State {
   void decide(const ScanView& view);
   void decide_rows(const HitBlock& hit, const ScanView& view);
   Reason reason_of(const VoxelRef& voxel, Label label, const ScanView& view) const;
+  void calibrate();
 
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);

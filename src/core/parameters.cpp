@@ -84,6 +84,7 @@ Parameters preset(const std::string& name) {
   p.hit_is_support = false;
   p.support_rate_when_dynamic = p.support_rate_r.front();
   p.settle_time_s = 0;
+  p.calibrate_p_static = false;
   p.history_recent = p.history_spread = 0;
   p.conflict_beside_surface = p.conflict_porous = 1;
   p.conflict_reach_voxels = 0;

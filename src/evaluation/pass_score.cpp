@@ -34,6 +34,7 @@ void PassScore::add(const Frame& frame, const std::vector<std::uint32_t>& truth,
     classes_[class_of(truth[row])].add(dynamic, verdict);
     ranges_[range_band(frame.scan.points[row])].add(dynamic, verdict);
     if (!verdicts.p_static.empty()) probabilities_.add(verdicts.p_static[row], dynamic);
+    if (!verdicts.reason.empty()) reasons_[verdicts.reason[row]].add(verdicts.p_static[row], dynamic);
   }
   total_ += scan;
   add_objects(truth, verdicts.label);

@@ -44,6 +44,7 @@ class PassScore {
   const std::array<Confusion, kRangeBands.size()>& ranges() const { return ranges_; }
   const std::map<std::uint32_t, ObjectScore>& objects() const { return objects_; }  ///< by label
   const ProbabilityHistogram& probabilities() const { return probabilities_; }
+  const std::map<Reason, ProbabilityHistogram>& reasons() const { return reasons_; }  ///< where given
   Percent vegetation_kept(Uncertain uncertain) const;
   DelaySummary delay() const;
 
@@ -56,6 +57,7 @@ class PassScore {
   std::array<Confusion, kRangeBands.size()> ranges_;
   std::map<std::uint32_t, ObjectScore> objects_;
   ProbabilityHistogram probabilities_;
+  std::map<Reason, ProbabilityHistogram> reasons_;
 };
 
 }  // namespace stillmap

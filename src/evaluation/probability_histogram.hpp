@@ -7,12 +7,15 @@
 
 namespace stillmap {
 
-/// How often points of each p_static are truly static. Rows that were never judged are left out.
+/// How often points of each p_static are truly static. Rows without a p_static are left out.
 class ProbabilityHistogram {
  public:
   static constexpr int kBins = 100;
 
   void add(float p_static, bool truth_is_dynamic);
+  /// Points with p_static in [bin, bin + 1) / kBins.
+  std::size_t static_in(std::size_t bin) const { return static_[bin]; }
+  std::size_t dynamic_in(std::size_t bin) const { return dynamic_[bin]; }
   bool empty() const { return points_ == 0; }
 
   /// PR and RR if a point were removed below this threshold (a whole percent, 0 to 100).

@@ -87,6 +87,7 @@ void write_report(const std::string& folder, const std::vector<SequenceResult>& 
   write("scans.csv", scan_table(results).csv());
   write("thresholds.csv", threshold_table(results).csv());
   write("calibration.csv", calibration_table(results).csv());
+  write("reasons.csv", reason_table(results).csv());
   write("costs.csv", cost_table(results).csv());
   for (const SequenceResult& result : results)
     for (const MethodResult& method : result.methods) {

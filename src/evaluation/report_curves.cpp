@@ -49,6 +49,23 @@ TextTable calibration_table(const std::vector<SequenceResult>& results) {
   return table;
 }
 
+TextTable reason_table(const std::vector<SequenceResult>& results) {
+  TextTable table({"sequence", "method", "pass", "reason", "p_static from", "static", "dynamic"});
+  for (const SequenceResult& sequence : results)
+    for (const MethodResult& method : sequence.methods)
+      for_each_pass(method, [&](const std::string& name, const PassScore& pass) {
+        for (const auto& [reason, histogram] : pass.reasons())
+          for (std::size_t bin = 0; bin < ProbabilityHistogram::kBins; ++bin) {
+            if (histogram.static_in(bin) + histogram.dynamic_in(bin) == 0) continue;
+            table.add_row({sequence.name, method.method, name, to_string(reason),
+                           cell(static_cast<double>(bin) / ProbabilityHistogram::kBins),
+                           std::to_string(histogram.static_in(bin)),
+                           std::to_string(histogram.dynamic_in(bin))});
+          }
+      });
+  return table;
+}
+
 TextTable cost_table(const std::vector<SequenceResult>& results) {
   TextTable table({"sequence", "method", "CPU ms a scan, taken in", "CPU ms a scan, all", "peak memory MB"});
   for (const SequenceResult& sequence : results)

@@ -13,6 +13,8 @@ TextTable object_table(const std::vector<SequenceResult>& results);
 TextTable scan_table(const std::vector<SequenceResult>& results);
 TextTable threshold_table(const std::vector<SequenceResult>& results);
 TextTable calibration_table(const std::vector<SequenceResult>& results);
+/// Points by reason and p_static: what scripts/fit_calibration.py reads.
+TextTable reason_table(const std::vector<SequenceResult>& results);
 TextTable cost_table(const std::vector<SequenceResult>& results);
 
 /// PR / RR / score of the final verdicts, uncertain kept: a line for each sequence, a column for each method.

@@ -9,9 +9,9 @@ namespace stillmap {
 namespace {
 
 PointVerdicts verdicts_of(const ScanLabels& labels) {
-  PointVerdicts verdicts{labels.label, labels.p_static};
+  PointVerdicts verdicts{labels.label, labels.p_static, labels.reason};
   for (std::size_t row = 0; row < labels.reason.size(); ++row)
-    if (labels.reason[row] <= Reason::kNeverJudged)
+    if (labels.reason[row] <= Reason::kOutOfRange)
       verdicts.p_static[row] = std::numeric_limits<float>::quiet_NaN();
   return verdicts;
 }

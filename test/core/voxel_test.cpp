@@ -56,7 +56,7 @@ TEST(Voxel, CountsSaturate) {
     voxel.see_through();
   }
   EXPECT_EQ(voxel.hits, 255);
-  EXPECT_EQ(voxel.seen_through, 127);
+  EXPECT_EQ(voxel.seen_through, 63);
 }
 
 TEST(Voxel, CameBackIfHitAgainAfterItWasSeenThrough) {

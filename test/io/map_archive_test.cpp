@@ -90,7 +90,7 @@ TEST(MapArchive, IsLittleEndianOnEveryMachine) {
   add_voxel(block, 511, voxel);
   write_map_archive(pieces_of(map), folder.path("a.stillmap"));
   const std::string file = read_text(folder.path("a.stillmap"));
-  EXPECT_EQ(file.substr(0, 12), std::string("STILLMAP\1\0\0\0", 12));
+  EXPECT_EQ(file.substr(0, 12), std::string("STILLMAP\2\0\0\0", 12));
   EXPECT_EQ(file.substr(20, 8), "\x08\x07\x06\x05\x04\x03\x02\x01");
   EXPECT_EQ(file.substr(32, 8), std::string("\1\0\0\0\x5C\0\0\0", 8));  // 1 block in 92 bytes
   EXPECT_EQ(file.substr(44, 12), std::string("\xFE\xFF\xFF\xFF\1\0\0\0\0\0\0\0", 12));
@@ -137,7 +137,7 @@ TEST(MapArchive, RefusesForeignFilesAndOtherVersions) {
   write_map_archive(pieces_of(random_map(1, 1)), folder.path("a.stillmap"));
   std::string other = read_text(folder.path("a.stillmap"));
   other[8] = 9;
-  expect_error([&] { read_map_archive(folder.write("b.stillmap", other)); }, {"format 9", "format 1"});
+  expect_error([&] { read_map_archive(folder.write("b.stillmap", other)); }, {"format 9", "format 2"});
 }
 
 Mapper drive(std::size_t scans, Mapper mapper = Mapper(preset("default")), std::size_t from = 0) {

@@ -19,9 +19,9 @@ struct JudgedScan {
 struct RunOptions {
   std::string sensor = "vlp16";
   int scans = 40;  ///< the first at 0 s
-  double scan_rate_hz = 10;
   ReturnNoise noise = {};
   double pose_noise_m = 0.01, pose_noise_deg = 0.05, drift_percent = 0.2;
+  double scan_rate_hz = 10;
   std::function<void(int scan)> after_scan = {};
 };
 
