@@ -28,7 +28,8 @@ Voxel some_voxel(std::mt19937& random) {
   voxel.hits = static_cast<std::uint8_t>(random());
   voxel.idle = static_cast<std::uint8_t>(random());
   voxel.age = static_cast<std::uint8_t>(random());
-  voxel.seen_through = random() & 0x7F;
+  voxel.seen_through = random() & 0x3F;
+  voxel.moved_in = random() & 1;
   voxel.came_back = random() & 1;
   return voxel;
 }
