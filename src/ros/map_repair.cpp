@@ -2,10 +2,10 @@
 
 #include <ros/console.h>
 
-#include <sstream>
 #include <stdexcept>
 
 #include "io/whole_map.hpp"
+#include "maps/map_extent.hpp"
 
 namespace stillmap {
 namespace {
@@ -19,22 +19,6 @@ Eigen::AlignedBox3d box_of(const Request& request) {
   return {to_vector(request.min), to_vector(request.max)};
 }
 
-std::string extent_of(const MapPieces& map) {
-  const double block_size_m = map.voxel_size_m * kBlockEdge;
-  Eigen::AlignedBox3d extent;
-  for (std::vector<BlockContents> blocks; map.next(blocks); blocks.clear())
-    for (const BlockContents& block : blocks) {
-      if (block.voxels.empty()) continue;
-      extent.extend(block.key.cast<double>() * block_size_m);
-      extent.extend((block.key.cast<double>().array() + 1).matrix() * block_size_m);
-    }
-  if (extent.isEmpty()) return "the map is empty";
-  std::ostringstream text;
-  text << "the map reaches from (" << extent.min().transpose() << ") to (" << extent.max().transpose()
-       << ") m";
-  return text.str();
-}
-
 /// Runs the edit under the lock and answers with the number of voxels, or with why there were none.
 template <class Response, class Edit>
 void answer(const char* service, const std::string& what_was_done, SharedMapper& shared, Response& response,
@@ -44,10 +28,11 @@ void answer(const char* service, const std::string& what_was_done, SharedMapper&
     response.voxels = edit(shared.mapper);
     lock.unlock();
     response.success = response.voxels > 0;
-    response.message = response.success
-                           ? what_was_done + ": " + std::to_string(response.voxels) + " voxels"
-                           : "no voxel is in the box; " +
-                                 extent_of(whole_map(shared.mapper, shared.far_tiles.get(), shared.mutex));
+    response.message =
+        response.success
+            ? what_was_done + ": " + std::to_string(response.voxels) + " voxels"
+            : "no voxel is in the box; " +
+                  extent_in_words(whole_map(shared.mapper, shared.far_tiles.get(), shared.mutex));
   } catch (const std::invalid_argument& error) {
     response.success = false;
     response.message = error.what();

@@ -4,11 +4,13 @@
 
 #include "tools/diff_command.hpp"
 #include "tools/evaluate_command.hpp"
+#include "tools/explain_command.hpp"
 #include "tools/export_command.hpp"
 #include "tools/inject_command.hpp"
 #include "tools/label_command.hpp"
 #include "tools/merge_command.hpp"
 #include "tools/parameters_command.hpp"
+#include "tools/repair_command.hpp"
 #include "tools/simulate_command.hpp"
 #include "tools/soak_command.hpp"
 #include "tools/stages_command.hpp"
@@ -33,6 +35,8 @@ int main(int argc, char** argv) {
   stillmap::add_export_command(app);
   stillmap::add_diff_command(app);
   stillmap::add_merge_command(app);
+  stillmap::add_repair_command(app);
+  stillmap::add_explain_command(app);
   stillmap::add_parameters_command(app);
   stillmap::add_stages_command(app);
 #if STILLMAP_WITH_ROS

@@ -11,8 +11,8 @@
 #include "io/whole_map.hpp"
 #include "maps/map_merge.hpp"
 #include "stillmap/mapper.hpp"
+#include "tools/map_scans.hpp"
 #include "tools/parameter_options.hpp"
-#include "tools/progress_bar.hpp"
 #include "tools/say.hpp"
 #include "tools/sequence_options.hpp"
 
@@ -30,11 +30,7 @@ MapContents map_of_sequence(Sequence& sequence, const std::string& name, const P
   const auto far_tiles = open_tile_folder(parameters, say);
   Mapper mapper(parameters);
   mapper.set_tile_store(far_tiles.get());
-  ProgressBar progress(name, sequence.size());
-  for (std::size_t k = 0; k < sequence.size(); ++k, progress.advance()) {
-    const Frame frame = sequence.read(k);
-    mapper.process(frame.scan, frame.T_map_sensor);
-  }
+  map_scans(mapper, sequence, 0, name);
   std::mutex nobody_else;
   return contents_of(whole_map(mapper, far_tiles.get(), nobody_else));
 }
@@ -64,7 +60,9 @@ void merge_all(const MergeJob& job) {
     }
   }
   save_map(pieces_of(merged), decision_of(parameters), job.out);
-  std::cout << job.out << ": " << job.in.size() << " maps in one\n";
+  std::size_t voxels = 0;
+  for (const BlockContents& block : merged.blocks) voxels += block.voxels.size();
+  std::cout << job.out << ": " << voxels << " voxels of " << job.in.size() << " recordings or maps\n";
 }
 
 }  // namespace
@@ -74,11 +72,9 @@ void add_merge_command(CLI::App& app) {
       app.add_subcommand("merge", "Maps and recordings of one frame as one map: log-odds add up");
   const auto job = std::make_shared<MergeJob>();
   command->add_option("OUT", job->out, "The map to write: .stillmap, .pcd, .ply, .bt or .ot")->required();
-  command
-      ->add_option("IN", job->in,
-                   "Each a .stillmap, a folder in SemanticKITTI layout or a .bag, at least two")
+  command->add_option("IN", job->in, "Each a .stillmap, a folder in SemanticKITTI layout or a .bag")
       ->required()
-      ->expected(2, -1);
+      ->expected(1, -1);
   job->sequences.add_bag_options_to(*command);
   job->parameters.add_to(*command);
   command->callback([job] { merge_all(*job); });

@@ -75,6 +75,40 @@ TEST_F(MapCommandsTest, MergeHasTheVoxelsOfBoth) {
   EXPECT_LT(static_in_crate(read_map_archive(now), 4, -4), 5U);
 }
 
+TEST_F(MapCommandsTest, ExplainsAPlaceOfAMap) {
+  const CommandResult result = run_command(
+      STILLMAP_EXECUTABLE, "explain " + now + " --at '7 1.55 0.6' --picture " + folder().path("why.png"));
+  ASSERT_EQ(result.status, 0) << result.output;
+  EXPECT_EQ(result.output.find("(7.00, 1.55, 0.60): static, p_static 0."), 0U) << result.output;
+  EXPECT_NE(result.output.find("None of the kept scans"), std::string::npos) << result.output;
+  EXPECT_GT(std::filesystem::file_size(folder().path("why.png")), 500U);
+}
+
+TEST_F(MapCommandsTest, RepairForgetsAndRelabelsBoxes) {
+  const std::string out = folder().path("repaired.stillmap");
+  const CommandResult result =
+      run_command(STILLMAP_EXECUTABLE, "repair " + now + " " + out +
+                                           " --clear '6.4 1.4 0.2 7.6 2.6 1.2'"
+                                           " --relabel 'dynamic 4.7 4.7 0.3 5.3 5.3 3.2'");
+  ASSERT_EQ(result.status, 0) << result.output;
+  const MapSnapshot before = snapshot_of(pieces_of(read_map_archive(now)), decision_of(Parameters()));
+  const MapSnapshot after = snapshot_of(pieces_of(read_map_archive(out)), decision_of(Parameters()));
+  const auto in = [](const MapSnapshot& map, const Eigen::AlignedBox3d& box, Label label) {
+    std::size_t voxels = 0;
+    for (const SnapshotVoxel& voxel : map.voxels)
+      voxels += voxel.label == label && box.contains(voxel.center.cast<double>());
+    return voxels;
+  };
+  const Eigen::AlignedBox3d crate = box({6.5, 1.5, 0.3}, {7.5, 2.5, 1.1}),
+                            pole = box({4.8, 4.8, 0.4}, {5.2, 5.2, 3.1});
+  EXPECT_GT(in(before, crate, Label::kStatic), 20U);
+  EXPECT_EQ(in(after, crate, Label::kStatic), 0U);
+  EXPECT_GT(in(before, pole, Label::kStatic), 10U);
+  EXPECT_EQ(in(after, pole, Label::kStatic), 0U);
+  EXPECT_GT(in(after, pole, Label::kDynamic), 10U);
+  EXPECT_LT(after.voxels.size(), before.voxels.size());
+}
+
 TEST_F(MapCommandsTest, RefusesWithOneMessageAndWritesNothing) {
   const std::string out = folder().path("refused.stillmap"), coarse = folder().path("coarse.stillmap");
   for (const std::string name : {"cut.stillmap", "foreign.stillmap", "missing.stillmap"}) {
@@ -86,6 +120,15 @@ TEST_F(MapCommandsTest, RefusesWithOneMessageAndWritesNothing) {
   expect_refused("diff " + now + " " + coarse, {"0.1", "0.2"});
   expect_refused("merge " + out + " " + now + " " + coarse, {"coarse.stillmap", "0.1", "0.2"});
   expect_refused("export " + now + " " + folder().path("map.las"), {".las", ".pcd"});
+  const std::string repair = "repair " + now + " " + out;
+  expect_refused(repair, {"--clear", "--relabel"});
+  expect_refused(repair + " --clear '900 0 0 901 1 1'",
+                 {"no voxel is in the box; the map reaches from (-15"});
+  expect_refused(repair + " --clear '1 0 0 0 1 1'", {"the box is empty"});
+  expect_refused(repair + " --clear '0 0 0 1 1'", {"--clear '0 0 0 1 1'", "x y z x y z"});
+  expect_refused(repair + " --relabel 'gone 0 0 0 1 1 1'", {"static, dynamic or uncertain"});
+  expect_refused("repair " + coarse + "x " + out + " --clear '0 0 0 1 1 1'", {"coarse.stillmapx"});
+  expect_refused("explain " + now + " --at '1 2'", {"--at '1 2': give x y z"});
   EXPECT_FALSE(std::filesystem::exists(out));
   EXPECT_FALSE(std::filesystem::exists(folder().path("refused.pcd")));
 }
