@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag_storage
-  roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros visualization_msgs xmlrpcpp)
+  roscpp roscpp_serialization roslz4 sensor_msgs std_msgs std_srvs tf2 tf2_ros visualization_msgs xmlrpcpp)
 
 add_message_files(FILES LabelledMap.msg Status.msg)
 add_service_files(DIRECTORY srv FILES ClearBox.srv DiffMap.srv ExplainPoint.srv LoadMap.srv RelabelBox.srv SaveMap.srv)
@@ -18,6 +18,6 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES stillmap_core
   CATKIN_DEPENDS diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet pluginlib
-    rosbag_storage roscpp roscpp_serialization sensor_msgs std_msgs std_srvs tf2 tf2_ros visualization_msgs xmlrpcpp
+    rosbag_storage roscpp roscpp_serialization roslz4 sensor_msgs std_msgs std_srvs tf2 tf2_ros visualization_msgs xmlrpcpp
   DEPENDS EIGEN3
   CFG_EXTRAS stillmap-extras.cmake)

@@ -7,7 +7,7 @@ packages=(
   # ROS 1: build and message generation
   catkin cmake make g++ python3-empy ros-geometry-msgs ros-message-generation ros-std-msgs
   # ROS 1: libraries
-  libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev
+  libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev libroslz4-dev
   libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev
   # ROS 1: tools at run time
   libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
@@ -18,7 +18,7 @@ packages=(
   octomap-tools pcl-tools python3-dynamic-reconfigure python3-rostopic
   # Other libraries
   libcli11-dev libeigen3-dev liboctomap-dev libpcl-dev libpng-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev robin-map-dev
-  libzstd-dev zlib1g-dev
+  libbz2-dev libzstd-dev zlib1g-dev
   # Figures
   python3-matplotlib python3-numpy
   # Tools of the scripts

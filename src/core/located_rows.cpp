@@ -21,7 +21,7 @@ STILLMAP_VECTOR_CLONES void locate_along(const Axis axis, std::size_t n, const f
   constexpr double kLimit = kVoxelKeyLimit;  // what lies beyond is told by its key
   for (std::size_t i = 0; i < n; ++i) {
     const double edges = axis.rx * x[i] + axis.ry * y[i] + axis.rz * z[i] + axis.t;
-    const double corner = std::min(std::max(std::floor(edges), -kLimit), kLimit);
+    const double corner = std::min(std::max(-kLimit, std::floor(edges)), kLimit);  // NaN: -kLimit
     key[i] = static_cast<int>(corner);
     offset[i] = static_cast<float>(edges - corner);
   }

@@ -37,12 +37,20 @@ void require_valid(const Parameters& parameters) {
   throw std::invalid_argument(text.str());
 }
 
-void require_rigid(const Eigen::Isometry3d& T_map_sensor) {
+void require_usable(const Eigen::Isometry3d& T_map_sensor, double voxel_size_m) {
   const Eigen::Matrix3d R = T_map_sensor.linear();
   if (!T_map_sensor.matrix().allFinite())
     throw std::invalid_argument("T_map_sensor: not finite; the scan is not used");
   if (!(R * R.transpose()).isIdentity(1e-3) || R.determinant() < 0)
     throw std::invalid_argument("T_map_sensor: its rotation is not a rotation matrix; the scan is not used");
+  const double reach_m = kVoxelKeyLimit * voxel_size_m;
+  if (T_map_sensor.translation().cwiseAbs().maxCoeff() > reach_m) {
+    std::ostringstream text;
+    text << "T_map_sensor: (" << T_map_sensor.translation().transpose()
+         << ") m is farther from the origin than the " << reach_m
+         << " m that a map of this voxel_size_m reaches; the scan is not used. Has the odometry failed?";
+    throw std::invalid_argument(text.str());
+  }
 }
 
 void require_sensor(int sensor) {
@@ -74,9 +82,9 @@ Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
-  require_rigid(T_map_sensor);
   require_sensor(scan.sensor);
   State& s = *state_;
+  require_usable(T_map_sensor, s.parameters.voxel_size_m);
   ++s.scan_count;
   ++s.revision;
   s.go_on_to(scan.stamp_ns);

@@ -1,11 +1,11 @@
 #include "io/map_archive_reader.hpp"
 
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
 #include "io/map_archive_format.hpp"
+#include "stillmap/parameters.hpp"
 
 namespace stillmap {
 
@@ -38,7 +38,10 @@ MapArchiveReader::MapArchiveReader(const std::string& path) : path_(path), strea
   stamp_ns_ = in.get<std::int64_t>();
   if (in.get<std::uint32_t>() != checksum(magic + fields.substr(0, fields.size() - 4)))
     refuse_damaged(path_, "its header does not match its checksum");
-  if (!(voxel_size_m_ > 0 && std::isfinite(voxel_size_m_))) refuse_damaged(path_, "its voxels have no size");
+  Parameters parameters;  // a map of a size that no stillmap has would make others count without end
+  parameters.voxel_size_m = voxel_size_m_;
+  const std::vector<std::string> found = problems(parameters);
+  if (!found.empty()) refuse_damaged(path_, found.front());
 }
 
 bool MapArchiveReader::next(std::vector<BlockContents>& blocks) {

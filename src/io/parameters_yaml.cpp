@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -74,6 +75,7 @@ void set_from_node(Parameters& parameters, const std::string& name, const YAML::
 
 YAML::Node load_map(const std::string& file) {
   try {
+    if (std::filesystem::is_directory(file)) throw YAML::BadFile(file);
     const YAML::Node root = YAML::LoadFile(file);
     if (root.IsNull() || root.IsMap()) return root;
   } catch (const YAML::BadFile&) {
@@ -113,7 +115,13 @@ std::string to_text(bool value) {
   return value ? "true" : "false";
 }
 std::string to_text(const std::string& value) {
-  return value.empty() ? "\"\"" : value;
+  const bool is_plain =
+      value.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./") ==
+      std::string::npos;
+  if (is_plain && YAML::Load(value).IsScalar()) return value;  // "null" is none
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << value;
+  return emitter.c_str();
 }
 std::string to_text(const std::vector<double>& values) {
   std::string text = "[";
@@ -149,8 +157,10 @@ Parameters load_parameters(const std::string& yaml_file) {
   Parameters parameters = base_of(root, yaml_file);
   std::set<std::string> seen;
   for (const auto& entry : root) {
-    const std::string name = entry.first.as<std::string>();
     const std::string where = yaml_file + ":" + std::to_string(entry.first.Mark().line + 1) + ": ";
+    if (!entry.first.IsScalar())
+      throw std::runtime_error(where + "'" + text_of(entry.first) + "' is not the name of a parameter");
+    const std::string name = entry.first.as<std::string>();
     if (!seen.insert(name).second) throw std::runtime_error(where + name + ": given twice; keep one");
     if (name != kPresetKey) set_from_node(parameters, name, entry.second, where);
   }

@@ -104,7 +104,7 @@ std::size_t pose_index(const std::string& scan_file, std::size_t order, bool by_
 
 std::vector<char> read_bytes(const std::string& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) fail(file + ": cannot be read");
+  if (!stream || !fs::is_regular_file(file)) fail(file + ": cannot be read; expected a file");
   std::vector<char> bytes(static_cast<std::size_t>(stream.tellg()));
   stream.seekg(0);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail(file + ": cannot be read");

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "messages/bag_topics.hpp"
+#include "messages/bounded_message.hpp"
 #include "messages/scan_pairing.hpp"
 
 namespace stillmap {
@@ -39,7 +40,7 @@ std::int64_t stamp_ns_of(const rosbag::MessageInstance& message, std::vector<std
   message.write(out);
   ros::serialization::IStream in(buffer.data(), message.size());
   std_msgs::Header header;
-  ros::serialization::deserialize(in, header);
+  ros::serialization::deserialize(in, header);  // no arrays in it
   return static_cast<std::int64_t>(header.stamp.toNSec());
 }
 
@@ -59,13 +60,22 @@ BagSequence::BagSequence(const std::string& file, const BagInput& input)
   pair_clouds(cloud_topic_, read_poses(odom_topic));
 }
 
+template <class Read>
+auto BagSequence::named(Read&& read) const {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file_ + ": " + error.what());
+  }
+}
+
 PoseBuffer BagSequence::read_poses(const std::string& topic) {
   PoseBuffer poses(pairing_.max_gap_s);
   std::size_t refused = 0;
   std::string why;
   rosbag::View view(bag_, rosbag::TopicQuery(topic));
   for (const rosbag::MessageInstance& message : view) {
-    const auto odometry = message.instantiate<nav_msgs::Odometry>();
+    const auto odometry = named([&] { return read_message<nav_msgs::Odometry>(message); });
     try {
       poses.add(static_cast<std::int64_t>(odometry->header.stamp.toNSec()), to_pose(*odometry));
     } catch (const std::invalid_argument& error) {
@@ -82,7 +92,7 @@ void BagSequence::pair_clouds(const std::string& topic, const PoseBuffer& poses)
   std::map<std::int64_t, std::size_t> cloud_at;
   std::vector<std::uint8_t> buffer;
   for (const rosbag::MessageInstance& message : *cloud_view_) {
-    cloud_at.emplace(stamp_ns_of(message, buffer), clouds_.size());
+    cloud_at.emplace(named([&] { return stamp_ns_of(message, buffer); }), clouds_.size());
     clouds_.push_back(message);
   }
   if (cloud_at.size() < clouds_.size())
@@ -110,8 +120,8 @@ void BagSequence::pair_clouds(const std::string& topic, const PoseBuffer& poses)
 Frame BagSequence::read(std::size_t index) {
   const Entry& entry = entries_.at(index);
   const rosbag::MessageInstance& message = clouds_[entry.cloud];
-  const sensor_msgs::PointCloud2ConstPtr cloud = message.instantiate<sensor_msgs::PointCloud2>();
   try {
+    const sensor_msgs::PointCloud2ConstPtr cloud = read_message<sensor_msgs::PointCloud2>(message);
     PairedScan paired = to_paired_scan(cloud, entry.T_map_body, pairing_);
     paired.scan.stamp_ns = entry.stamp_ns;
     return {name_of(entry.cloud), std::move(paired.scan), paired.T_map_sensor};

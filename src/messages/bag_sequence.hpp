@@ -44,6 +44,9 @@ class BagSequence : public Sequence {
     std::size_t cloud;  ///< place in the bag
     Eigen::Isometry3d T_map_body;
   };
+  /// What it throws gets the file's name.
+  template <class Read>
+  auto named(Read&& read) const;
   PoseBuffer read_poses(const std::string& topic);
   void pair_clouds(const std::string& topic, const PoseBuffer& poses);
 

@@ -4,9 +4,12 @@
 
 #include <stdexcept>
 
+#include "messages/bag_check.hpp"
+
 namespace stillmap {
 
 void open_for_reading(rosbag::Bag& bag, const std::string& file) {
+  check_bag(file);
   try {
     bag.open(file, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {

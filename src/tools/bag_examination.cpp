@@ -8,6 +8,7 @@
 
 #include "doctor/doctor.hpp"
 #include "messages/bag_sequence.hpp"
+#include "messages/bounded_message.hpp"
 #include "messages/frame_id.hpp"
 #include "ros/odometry_presets.hpp"
 #include "stillmap/mapper.hpp"
@@ -19,8 +20,8 @@ std::vector<std::string> tf_roots(rosbag::Bag& bag) {
   std::set<std::string> parents, children;
   rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{"/tf", "/tf_static"}));
   for (const rosbag::MessageInstance& message : view) {
-    const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
-    if (!transforms) continue;
+    if (message.getDataType() != "tf2_msgs/TFMessage") continue;
+    const auto transforms = read_message<tf2_msgs::TFMessage>(message);
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
       parents.insert(without_leading_slash(transform.header.frame_id));
       children.insert(without_leading_slash(transform.child_frame_id));

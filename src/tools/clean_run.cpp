@@ -9,6 +9,8 @@
 
 #include "io/atomic_file.hpp"
 #include "io/tile_folder.hpp"
+#include "messages/bag_topics.hpp"
+#include "messages/bounded_message.hpp"
 #include "messages/labelled_cloud.hpp"
 #include "messages/point_cloud_conversion.hpp"
 #include "stillmap/mapper.hpp"
@@ -120,7 +122,8 @@ class BagCopy {
 
 void copy_bag(const std::string& topic, LabelledClouds& labels, const CleanJob& job, const std::string& file,
               LabelTotals& totals) {
-  rosbag::Bag in(job.in);
+  rosbag::Bag in;
+  open_for_reading(in, job.in);
   rosbag::View view(in);
   BagCopy out(file, job);
   ProgressBar progress("writing", view.size());
@@ -128,7 +131,7 @@ void copy_bag(const std::string& topic, LabelledClouds& labels, const CleanJob& 
   for (const rosbag::MessageInstance& message : view) {
     const bool chosen = message.getTopic() == topic;
     const sensor_msgs::PointCloud2ConstPtr points =
-        chosen ? message.instantiate<sensor_msgs::PointCloud2>() : nullptr;
+        chosen ? read_message<sensor_msgs::PointCloud2>(message) : nullptr;
     if (points == nullptr)
       out.keep(message);
     else
