@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "io/atomic_file.hpp"
@@ -34,7 +35,9 @@ void save_octree(const MapSnapshot& map, const std::string& path) {
   const std::unique_ptr<octomap::OcTree> tree = to_octree(map);
   const bool binary = std::filesystem::path(path).extension() == ".bt";
   write_atomically(path, [&](const std::string& file) {
-    if (!(binary ? tree->writeBinary(file) : tree->write(file)))
+    std::ofstream stream(file, std::ios::binary);  // of our own: OctoMap's is closed without a look
+    const bool is_written = binary ? tree->writeBinary(stream) : tree->write(stream);
+    if (!is_written || !stream.flush())
       throw std::runtime_error(path + ": cannot be written; is the folder writable and the disk not full?");
   });
 }
