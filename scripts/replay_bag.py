@@ -29,6 +29,9 @@ def main():
     signal.signal(signal.SIGTERM, lambda *_: sys.exit("replay_bag.py: terminated"))
     scans = count_scans(options.bag, options.launch_arguments)
     arguments = [f"bag:={os.path.abspath(options.bag)}"] + options.launch_arguments
+    if options.save_map:
+        folders = [os.path.dirname(os.path.abspath(path)) for path in options.save_map]
+        arguments.append(f"map_directory:={os.path.commonpath(folders)}")
     with launched(arguments, options.log) as roslaunch:
         answers = Answers(scans, roslaunch)
         if options.picture:
@@ -145,7 +148,7 @@ def take_picture(path, place):
 
 
 def save_map(path):
-    answer = rospy.ServiceProxy("/stillmap/save_map", SaveMap)(os.path.abspath(path))
+    answer = rospy.ServiceProxy("/stillmap/save_map", SaveMap)(path=os.path.abspath(path), overwrite=True)
     print(answer.message)
     if not answer.success:
         raise SystemExit(1)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace stillmap {
@@ -20,6 +21,7 @@ struct PairingOptions {
   Eigen::Matrix3d R_ros_odometry = Eigen::Matrix3d::Identity();
   double max_gap_s = 0.5;       ///< longest time between two odometry messages to interpolate over
   std::size_t queue_size = 10;  ///< clouds that may wait for their pose
+  std::size_t max_cloud_bytes = std::numeric_limits<std::size_t>::max();  ///< larger ones are dropped
 };
 
 /// "world", "body" or "sensor"; throws std::invalid_argument.

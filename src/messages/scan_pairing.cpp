@@ -7,9 +7,6 @@
 namespace stillmap {
 namespace {
 
-// A step back that is longer is a new beginning (a bag that loops, an odometry that restarts), a shorter one
-// is a message out of order.
-constexpr std::int64_t kRestart_ns = 1'000'000'000;
 constexpr std::size_t kOdometryKept = 10'000;
 
 std::string seconds(std::int64_t ns) {
@@ -51,6 +48,10 @@ ScanPairing::ScanPairing(const PairingOptions& options, const PoseSource& poses)
     : options_(options), odometry_(options.max_gap_s, kOdometryKept), poses_(poses) {}
 
 void ScanPairing::add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  if (cloud->data.size() > options_.max_cloud_bytes) {
+    drop("too_large", "it has " + std::to_string(cloud->data.size()) + " bytes");
+    return;
+  }
   const auto stamp_ns = static_cast<std::int64_t>(cloud->header.stamp.toNSec());
   if (newest_cloud_ns_ && stamp_ns < *newest_cloud_ns_ - kRestart_ns) {
     restart("the stamps jumped back by " + seconds(*newest_cloud_ns_ - stamp_ns));

@@ -34,6 +34,10 @@ Eigen::Isometry3d to_pose(const nav_msgs::Odometry& odometry);
 /// arrival.
 class ScanPairing {
  public:
+  /// A step back that is longer is a new beginning (a bag that loops, an odometry that restarts), a shorter
+  /// one is a message out of order.
+  static constexpr std::int64_t kRestart_ns = 1'000'000'000;
+
   /// Poses come from add_odometry().
   explicit ScanPairing(const PairingOptions& options);
   /// Poses come from `poses`, which outlives this.
@@ -55,7 +59,8 @@ class ScanPairing {
   }
   std::string waiting_for() const;  ///< why the oldest cloud waits; empty when none does
 
-  /// Clouds that will never be answered, by reason: queue_full, no_pose, late, jumped_back, unreadable.
+  /// Clouds that will never be answered, by reason: queue_full, no_pose, late, jumped_back, too_large,
+  /// unreadable.
   const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
   /// Called with the reason and one sentence whenever clouds are dropped or the stamps jump back.
   using DropListener = std::function<void(const std::string& reason, const std::string& text)>;

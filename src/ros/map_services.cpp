@@ -21,7 +21,8 @@ std::size_t count_static(const std::vector<BlockContents>& blocks, const Decisio
 
 }  // namespace
 
-MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared) : shared_(shared) {
+MapServices::MapServices(ros::NodeHandle private_nh, SharedMapper& shared, const MapDirectory& directory)
+    : shared_(shared), directory_(directory) {
   save_map_ = private_nh.advertiseService("save_map", &MapServices::on_save_map, this);
   reset_ = private_nh.advertiseService("reset", &MapServices::on_reset, this);
 }
@@ -62,7 +63,7 @@ void MapServices::save_if_changed(const std::string& path) {
 
 bool MapServices::on_save_map(SaveMap::Request& request, SaveMap::Response& response) {
   try {
-    response.message = "saved " + save(request.path);
+    response.message = "saved " + save(directory_.new_file_inside(request.path, request.overwrite));
     response.success = true;
   } catch (const std::exception& error) {
     response.message = error.what();

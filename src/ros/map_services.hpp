@@ -9,14 +9,15 @@
 #include <mutex>
 #include <string>
 
+#include "ros/map_directory.hpp"
 #include "ros/shared_mapper.hpp"
 
 namespace stillmap {
 
-/// ~save_map and ~reset.
+/// ~save_map, into files in the directory, and ~reset.
 class MapServices {
  public:
-  MapServices(ros::NodeHandle private_nh, SharedMapper& shared);
+  MapServices(ros::NodeHandle private_nh, SharedMapper& shared, const MapDirectory& directory);
 
   /// Saves the map when scans have come since it was last saved; reports on the console.
   void save_if_changed(const std::string& path);
@@ -27,6 +28,7 @@ class MapServices {
   bool on_reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   SharedMapper& shared_;
+  const MapDirectory directory_;
   std::mutex file_mutex_;  ///< one file at a time
   std::uint64_t saved_revision_ = 0;
   ros::ServiceServer save_map_, reset_;

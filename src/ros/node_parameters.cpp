@@ -49,6 +49,10 @@ PairingOptions check_node_parameters(const NodeParameters& parameters) {
   options.T_body_sensor = lidar_places(parameters).front().T_body_sensor;
   options.max_gap_s = parameters.max_odometry_gap_s;
   options.queue_size = static_cast<std::size_t>(parameters.queue_size);
+  options.max_cloud_bytes = static_cast<std::size_t>(parameters.max_cloud_mb * 1e6);
+  if (parameters.after_jump_back != "keep_map" && parameters.after_jump_back != "new_map")
+    throw std::invalid_argument("after_jump_back: '" + parameters.after_jump_back +
+                                "' is not one of keep_map|new_map");
   if (parameters.odom_topic.empty()) check_tf_frames(parameters, options);
   return options;
 }

@@ -20,11 +20,14 @@ struct NodeParameters {
   std::string body_frame;
   double max_odometry_gap_s = 0.5;
   int queue_size = 10;
+  double max_cloud_mb = 100;
+  std::string after_jump_back = "keep_map";
   int resolved_delay = 10;
   double map_period_s = 2.0;
   double box_lifetime_s = 0.3;
   std::string corrected_path_topic;
   std::string odom_frame;
+  std::string map_directory = "~/.ros/stillmap";
   std::string load_map;
   std::string save_map;
   double save_map_idle_s = 3.0;
@@ -57,6 +60,9 @@ void visit_node_parameters(ParametersT& p, Visitor&& visit) {
   number("max_odometry_gap_s", "s", 0.01, 60.0, p.max_odometry_gap_s,
          "longest time between two odometry messages to interpolate over");
   number("queue_size", "scans", 1, 1000, p.queue_size, "scans that may wait; beyond, the oldest is dropped");
+  number("max_cloud_mb", "MB", 0.001, 1000.0, p.max_cloud_mb, "a larger cloud is dropped as it comes");
+  text("after_jump_back", p.after_jump_back,
+       "when the stamps jump back by more than a second (a recording that loops): keep_map or new_map");
   number(
       "resolved_delay", "scans", 0, 1000, p.resolved_delay,
       "~resolved has each scan judged again so many scans later; so many are kept in memory while somebody "
@@ -70,6 +76,8 @@ void visit_node_parameters(ParametersT& p, Visitor&& visit) {
   text(
       "odom_frame", p.odom_frame,
       "tf2 frame: when fixed_frame <- odom_frame jumps, the map follows, with submap_length_m; empty = none");
+  text("map_directory", p.map_directory,
+       "folder that files named in calls of ~save_map, ~load_map and ~diff_map must lie in");
   text("load_map", p.load_map, "a .stillmap to go on with; may be that of save_map; empty = none");
   text("save_map", p.save_map, ".stillmap, .pcd, .ply, .bt or .ot where the map is saved; empty = nowhere");
   number("save_map_idle_s", "s", 0.5, 3600.0, p.save_map_idle_s,

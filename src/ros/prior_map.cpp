@@ -12,8 +12,9 @@
 
 namespace stillmap {
 
-PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, std::function<std::string()> fixed_frame)
-    : shared_(shared), fixed_frame_(std::move(fixed_frame)) {
+PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, const MapDirectory& directory,
+                   std::function<std::string()> fixed_frame)
+    : shared_(shared), directory_(directory), fixed_frame_(std::move(fixed_frame)) {
   const bool latch = true;
   appeared_ = private_nh.advertise<sensor_msgs::PointCloud2>("appeared", 1, latch);
   gone_ = private_nh.advertise<sensor_msgs::PointCloud2>("gone", 1, latch);
@@ -24,7 +25,7 @@ PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, std::functi
 bool PriorMap::on_load_map(LoadMap::Request& request, LoadMap::Response& response) {
   const std::lock_guard lock(shared_.mutex);
   try {
-    response.message = load_map(shared_.mapper, request.path);
+    response.message = load_map(shared_.mapper, directory_.file_inside(request.path));
     response.success = true;
   } catch (const std::exception& error) {
     response.message = error.what();
@@ -36,7 +37,7 @@ bool PriorMap::on_load_map(LoadMap::Request& request, LoadMap::Response& respons
 
 bool PriorMap::on_diff_map(DiffMap::Request& request, DiffMap::Response& response) {
   try {
-    const MapContents earlier = read_map_archive(request.path);
+    const MapContents earlier = read_map_archive(directory_.file_inside(request.path));
     const MapContents now = contents_of(whole_map(shared_.mapper, shared_.far_tiles.get(), shared_.mutex));
     std::unique_lock lock(shared_.mutex);
     const Decision decision = shared_.mapper.decision();

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "ros/map_directory.hpp"
 #include "ros/shared_mapper.hpp"
 
 namespace stillmap {
@@ -17,14 +18,16 @@ namespace stillmap {
 /// different now.
 class PriorMap {
  public:
-  /// `fixed_frame` says the map's frame.
-  PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, std::function<std::string()> fixed_frame);
+  /// Files lie in `directory`; `fixed_frame` says the map's frame.
+  PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, const MapDirectory& directory,
+           std::function<std::string()> fixed_frame);
 
  private:
   bool on_load_map(LoadMap::Request& request, LoadMap::Response& response);
   bool on_diff_map(DiffMap::Request& request, DiffMap::Response& response);
 
   SharedMapper& shared_;
+  const MapDirectory directory_;
   std::function<std::string()> fixed_frame_;
   ros::Publisher appeared_, gone_;
   ros::ServiceServer load_map_, diff_map_;

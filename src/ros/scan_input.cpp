@@ -12,11 +12,15 @@ namespace {
 constexpr int kCloudsInTransit = 100, kOdometryInTransit = 2000;
 constexpr std::chrono::seconds kLongWait(2);
 
-std::string advice(const std::string& reason) {
+std::string advice(const std::string& reason, const NodeParameters& parameters) {
   if (reason == "queue_full") return "; give more threads, a larger voxel_size_m or queue_size";
   if (reason == "no_pose") return "; check odom_topic, fixed_frame and the stamps of both";
   if (reason == "late") return "; the publisher must give each scan its own, growing stamp";
-  if (reason == "jumped_back") return "; the map is kept: call ~reset to begin anew";
+  if (reason == "too_large") return "; it is more than max_cloud_mb";
+  if (reason == "jumped_back")
+    return parameters.after_jump_back == "new_map"
+               ? "; the map begins anew"
+               : "; the map is kept: call ~reset to begin anew, or set after_jump_back to new_map";
   return "";
 }
 
@@ -126,7 +130,7 @@ void ScanInput::warn_when_waiting_long(const Lidar& lidar) {
   if (lidar.pairing->waiting() == 0 || Clock::now() - lidar.last_taken < kLongWait) return;
   log_.warn("waiting " + lidar.topic, lidar.topic + ": " + std::to_string(lidar.pairing->waiting()) +
                                           " scans wait for their pose: " + lidar.pairing->waiting_for() +
-                                          advice("no_pose"));
+                                          advice("no_pose", parameters_));
 }
 
 void ScanInput::warn_of_silence() {
@@ -144,8 +148,7 @@ void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subs
   }
   if (!silence) return;
   const ListenedTopic topic{subscriber.getTopic(), type, parameter};
-  ros::master::V_TopicInfo published;
-  ros::master::getTopics(published);  // not under the lock: may take long
+  const ros::master::V_TopicInfo published = published_topics_now();  // not under the lock: may take long
   log_.warn("silent " + topic.name,
             topic.name + ": nothing has come for " + std::to_string(silence->count()) +
                 " s: " + why_silent(topic, subscriber.getNumPublishers(), published, own_prefix_));
@@ -154,7 +157,7 @@ void ScanInput::warn_of_silence(SilenceWatch& watch, const ros::Subscriber& subs
 void ScanInput::on_drop(const std::string& topic, const std::string& reason, const std::string& text) {
   if (reason == "no_pose") count_without_pose(text);
   const std::string what = reason == "jumped_back" ? ": " : ": a scan is dropped: ";
-  log_.warn(reason + " " + topic, topic + what + text + advice(reason));
+  log_.warn(reason + " " + topic, topic + what + text + advice(reason, parameters_));
 }
 
 void ScanInput::count_without_pose(const std::string& why) {

@@ -1,8 +1,22 @@
 #include "ros/silence_watch.hpp"
 
+#include <XmlRpcValue.h>
+#include <ros/this_node.h>
+
 #include <algorithm>
 
 namespace stillmap {
+
+ros::master::V_TopicInfo published_topics_now() {
+  XmlRpc::XmlRpcValue request, response, topics;
+  request[0] = ros::this_node::getName();
+  request[1] = "";
+  ros::master::V_TopicInfo published;
+  if (!ros::master::execute("getPublishedTopics", request, response, topics, false)) return published;
+  for (int i = 0; i < topics.size(); ++i)
+    published.emplace_back(static_cast<std::string>(topics[i][0]), static_cast<std::string>(topics[i][1]));
+  return published;
+}
 
 std::string why_silent(const ListenedTopic& topic, std::size_t publishers,
                        const ros::master::V_TopicInfo& published, const std::string& own_prefix) {

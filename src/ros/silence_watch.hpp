@@ -15,6 +15,9 @@ struct ListenedTopic {
   std::string parameter;   ///< that says the name
 };
 
+/// ros::master::getTopics() without its waiting for a master that has gone: the scans must go on.
+ros::master::V_TopicInfo published_topics_now();
+
 /// What is wrong with a topic on which nothing comes, and what to do. `published` is what the master knows;
 /// topics below `own_prefix` are the node's outputs, which are no advice.
 std::string why_silent(const ListenedTopic& topic, std::size_t publishers,

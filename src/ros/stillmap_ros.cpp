@@ -28,14 +28,15 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       moving_boxes_(private_nh, settings_.node.box_lifetime_s),
       map_outputs_(private_nh, settings_.node.map_period_s),
       service_thread_(private_nh),
-      services_(service_thread_.handle(), shared_),
+      services_(service_thread_.handle(), shared_, MapDirectory(settings_.node.map_directory)),
       live_parameters_(private_nh, settings_),
       repair_(service_thread_.handle(), shared_),
       diagnostics_(nh, private_nh),
       doctor_(check_node_parameters(settings_.node)),
       input_(nh, settings_.node, private_nh.getNamespace() + "/", log_),
       explainer_(nh, service_thread_.handle(), shared_, [this] { return input_.fixed_frame(); }),
-      prior_map_(service_thread_.handle(), shared_, [this] { return input_.fixed_frame(); }),
+      prior_map_(service_thread_.handle(), shared_, MapDirectory(settings_.node.map_directory),
+                 [this] { return input_.fixed_frame(); }),
       corrections_(nh, settings_.node, log_) {
   shared_.mapper.set_listener(&stage_timer_);
   shared_.mapper.set_tile_store(shared_.far_tiles.get());
@@ -71,6 +72,7 @@ void StillmapRos::process(const PairedScan& paired) {
   last_scan_ = Clock::now();
   try {
     const std::lock_guard lock(shared_.mutex);  // the labels are valid until the next process()
+    begin_anew_after_jump(paired.scan);
     corrections_.apply(shared_.mapper, paired.scan.stamp_ns, input_.fixed_frame());
     stage_timer_.start();
     const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
@@ -83,6 +85,16 @@ void StillmapRos::process(const PairedScan& paired) {
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
     log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());
   }
+}
+
+/// A recording that loops, an odometry that starts again: the map is of another time.
+void StillmapRos::begin_anew_after_jump(const Scan& scan) {
+  const auto [last, is_first] = last_stamp_ns_.try_emplace(scan.sensor, scan.stamp_ns);
+  const bool has_jumped = !is_first && scan.stamp_ns < last->second - ScanPairing::kRestart_ns;
+  last->second = scan.stamp_ns;
+  if (!has_jumped || settings_.node.after_jump_back != "new_map") return;
+  shared_.mapper.reset();
+  last_stamp_ns_ = {{scan.sensor, scan.stamp_ns}};  // those of other LiDARs are still from before
 }
 
 void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, double process_ms) {

@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <map>
 #include <thread>
 
 #include "ros/live_parameters.hpp"
@@ -38,6 +40,7 @@ class StillmapRos {
  private:
   void work();
   void process(const PairedScan& paired);
+  void begin_anew_after_jump(const Scan& scan);
   void report(const PairedScan& paired, const ScanLabels& labels, double process_ms);
   void between_scans();
   void update_live_parameters();
@@ -57,6 +60,7 @@ class StillmapRos {
   NodeDiagnostics diagnostics_;
   NodeDoctor doctor_;
   Status status_;
+  std::map<int, std::int64_t> last_stamp_ns_;  ///< of each LiDAR
   Clock::time_point last_scan_ = Clock::now();
   ScanInput input_;
   PlaceExplainer explainer_;

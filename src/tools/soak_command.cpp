@@ -32,6 +32,8 @@ void add_soak_command(CLI::App& app) {
   limit("--most-mb", job.most_mb, "Resident memory, MB");
   limit("--most-mb-per-km", job.most_mb_per_km, "Its growth over the second half of the way, MB per km");
   limit("--most-cost-ratio", job.most_cost_ratio, "CPU time of the last lap against a map of one lap");
+  limit("--most-different-percent", job.most_different_percent,
+        "Labels of the last lap that such a map gives otherwise, %");
   command->callback([options] {
     const Parameters parameters = options->parameters.resolve();
     soak(*options->sequence.open(), parameters, options->job);

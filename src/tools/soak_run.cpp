@@ -34,11 +34,26 @@ struct Driver {
   Mapper mapper;
   EngineClock clock;
 
-  double drive(const Frame& frame) {
+  const ScanLabels& drive(const Frame& frame) {
     clock.start_scan();
-    mapper.process(frame.scan, frame.T_map_sensor);
+    const ScanLabels& labels = mapper.process(frame.scan, frame.T_map_sensor);
     clock.end_scan();
-    return clock.cpu_ms().back();
+    return labels;
+  }
+  double last_ms() const { return clock.cpu_ms().back(); }
+};
+
+/// The last lap by a map of the whole way and by one that began a lap before.
+struct LastLap {
+  double old_ms = 0, young_ms = 0;
+  std::size_t rows = 0, different = 0;
+
+  void add(const ScanLabels& by_old, const ScanLabels& by_young) {
+    rows += by_old.label.size();
+    for (std::size_t i = 0; i < by_old.label.size(); ++i) different += by_old.label[i] != by_young.label[i];
+  }
+  double different_percent() const {
+    return 100.0 * static_cast<double>(different) / static_cast<double>(std::max<std::size_t>(1, rows));
   }
 };
 
@@ -93,23 +108,26 @@ void soak(Sequence& lap, const Parameters& parameters, const SoakJob& job) {
   const auto far_tiles = open_tile_folder(parameters, say);
   Driver old(parameters, far_tiles.get()), young(parameters, nullptr);
   Way way;
-  double old_ms = 0, young_ms = 0;
+  LastLap last_lap;
   std::printf("    scan       km    cpu_ms    max_ms  memory_mb       voxels\n");
   for (std::size_t k = 0; k < scans; ++k) {
     const Frame frame = sequence.read(k);
-    const double this_old_ms = old.drive(frame);
+    const ScanLabels& by_old = old.drive(frame);
     way.go_on(frame);
     if (k < young_from) way.weigh(k == young_from / 2);  // later there are two maps
     if ((k + 1) % row_every == 0) print_row(k + 1, way, old, row_every);
     if (k < young_from) continue;
-    const double this_young_ms = young.drive(frame);
+    const ScanLabels& by_young = young.drive(frame);
     if (k < last_lap_from) continue;
-    old_ms += this_old_ms;
-    young_ms += this_young_ms;
+    last_lap.add(by_old, by_young);
+    last_lap.old_ms += old.last_ms();
+    last_lap.young_ms += young.last_ms();
   }
   check("memory, MB", way.most_mb, job.most_mb);
   check("growth of memory over the second half, MB per km", way.mb_per_km(), job.most_mb_per_km);
-  check("cost per scan against a map of one lap", old_ms / young_ms, job.most_cost_ratio);
+  check("cost per scan against a map of one lap", last_lap.old_ms / last_lap.young_ms, job.most_cost_ratio);
+  check("labels that differ from those of a map of one lap, %", last_lap.different_percent(),
+        job.most_different_percent);
 }
 
 }  // namespace stillmap

@@ -39,9 +39,10 @@ class Services : public testing::Test {
     delete harness;
   }
 
-  SaveMap::Response save(const std::string& name) {
+  SaveMap::Response save(const std::string& name, bool overwrite = false) {
     SaveMap call;
     call.request.path = (folder / name).string();
+    call.request.overwrite = overwrite;
     EXPECT_TRUE(ros::service::call("/stillmap/save_map", call));
     return call.response;
   }
@@ -89,6 +90,24 @@ TEST_F(Services, SavesEveryFormatAndRefusesOthers) {
   const SaveMap::Response response = save("no_such_folder/map.pcd");
   EXPECT_FALSE(response.success);
   EXPECT_NE(response.message.find("no_such_folder"), std::string::npos) << response.message;
+}
+
+TEST_F(Services, OverwritesNothingUnaskedAndWritesNowhereElse) {
+  ASSERT_TRUE(save("twice.pcd").success);
+  const SaveMap::Response kept = save("twice.pcd");
+  EXPECT_FALSE(kept.success);
+  EXPECT_NE(kept.message.find("is there already"), std::string::npos) << kept.message;
+  EXPECT_TRUE(save("twice.pcd", true).success);
+  const fs::perms mode = fs::status(folder / "twice.pcd").permissions();
+  EXPECT_EQ(mode & (fs::perms::group_write | fs::perms::others_write), fs::perms::none);
+  for (const char* path : {"/etc/stillmap_test.pcd", "../../../../../../etc/stillmap_test.pcd"}) {
+    SaveMap elsewhere;
+    elsewhere.request.path = path;
+    ASSERT_TRUE(ros::service::call("/stillmap/save_map", elsewhere));
+    EXPECT_FALSE(elsewhere.response.success);
+    EXPECT_NE(elsewhere.response.message.find("outside of map_directory"), std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists("/etc/stillmap_test.pcd"));
 }
 
 TEST_F(Services, ReportsItselfOnDiagnostics) {

@@ -51,7 +51,7 @@ class SoakCommand : public ::testing::Test {
 TEST_F(SoakCommand, WithARollingMapCostAndMemoryAreFlat) {
   const Outcome run = soak(lap + " --scans 160 --set max_range_m=30 --set rolling_radius_m=40" +
                            " --set rolling_directory=" + folder.path("far") +
-                           " --most-mb 250 --most-mb-per-km 60 --most-cost-ratio 1.3");
+                           " --most-mb 250 --most-mb-per-km 60 --most-cost-ratio 1.3 --most-different-percent 2");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_NE(run.output.find("\n     160    0.2"), std::string::npos) << run.output;
   EXPECT_TRUE(std::filesystem::exists(folder.path("far/run_000001")));
@@ -64,6 +64,9 @@ TEST_F(SoakCommand, WhatIsNotBoundedFails) {
   const Outcome cost = soak(lap + " --scans 60 --set max_range_m=30 --most-cost-ratio 0.1");
   EXPECT_EQ(cost.code, 1);
   EXPECT_NE(cost.output.find("is more than 0.1"), std::string::npos) << cost.output;
+  const Outcome labels = soak(lap + " --scans 60 --set max_range_m=30 --most-different-percent 1e-9");
+  EXPECT_EQ(labels.code, 1);
+  EXPECT_NE(labels.output.find("labels that differ"), std::string::npos) << labels.output;
 }
 
 }  // namespace
