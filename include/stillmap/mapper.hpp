@@ -38,7 +38,8 @@ class Mapper {
 
   /// Judges the points at the scan's own time and updates the map. T_map_sensor takes sensor points into the
   /// map; its translation is the origin of the rays. Throws std::invalid_argument on a pose that is not
-  /// finite, not rigid or out of the map's reach; the map then is as it was. The result is valid until the next call.
+  /// finite, not rigid or out of the map's reach; the map then is as it was. The result is valid until the
+  /// next call.
   const ScanLabels& process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
 
   /// Judges the points of an earlier scan by the map as it is now. `online` is what process() said then.

@@ -49,9 +49,10 @@ class SoakCommand : public ::testing::Test {
 };
 
 TEST_F(SoakCommand, WithARollingMapCostAndMemoryAreFlat) {
-  const Outcome run = soak(lap + " --scans 160 --set max_range_m=30 --set rolling_radius_m=40" +
-                           " --set rolling_directory=" + folder.path("far") +
-                           " --most-mb 250 --most-mb-per-km 60 --most-cost-ratio 1.3 --most-different-percent 2");
+  const Outcome run =
+      soak(lap + " --scans 160 --set max_range_m=30 --set rolling_radius_m=40" +
+           " --set rolling_directory=" + folder.path("far") +
+           " --most-mb 250 --most-mb-per-km 60 --most-cost-ratio 1.3 --most-different-percent 2");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_NE(run.output.find("\n     160    0.2"), std::string::npos) << run.output;
   EXPECT_TRUE(std::filesystem::exists(folder.path("far/run_000001")));
