@@ -1,7 +1,8 @@
 #include "io/read_ahead.hpp"
 
 #include <pthread.h>
-#include <time.h>
+
+#include <ctime>
 
 namespace stillmap {
 namespace {

@@ -33,7 +33,7 @@ bool has_field(const PointCloud2& cloud, const std::string& name) {
 
 void rename_field(PointCloud2& cloud, const std::string& name) {
   std::string free_name = name;
-  while (has_field(cloud, free_name)) free_name = "input_" + free_name;
+  while (has_field(cloud, free_name)) free_name.insert(0, "input_");
   for (PointField& field : cloud.fields)
     if (field.name == name) field.name = free_name;
 }

@@ -16,7 +16,7 @@ class LoadedNodelet : public testing::Test {
     loader_ = std::make_unique<nodelet::Loader>(false);
     ASSERT_TRUE(loader_->load("/stillmap", "stillmap/StillmapNodelet", {}, {}));
     harness_ = std::make_unique<NodeHarness>();
-    ASSERT_TRUE(harness_->wait_for_connections());
+    ASSERT_TRUE(harness_->wait_for_connections(1));
   }
   static void TearDownTestSuite() {
     harness_.reset();

@@ -56,10 +56,10 @@ bool NodeHarness::wait_until(const std::function<bool()>& is_so, double patience
   return false;
 }
 
-bool NodeHarness::wait_for_connections() {
-  return wait_until([this] {
+bool NodeHarness::wait_for_connections(std::size_t logging) {
+  return wait_until([&] {
     if (cloud_publisher_.getNumSubscribers() == 0) return false;
-    if (log_subscriber_.getNumPublishers() < 2) return false;  // this process and the node
+    if (log_subscriber_.getNumPublishers() < logging) return false;
     for (const ros::Subscriber& subscriber : subscribers_)
       if (subscriber.getNumPublishers() == 0) return false;
     return true;

@@ -33,7 +33,8 @@ class NodeHarness {
   NodeHarness();
 
   static bool wait_until(const std::function<bool()>& is_so, double patience_s = 30);
-  bool wait_for_connections();
+  /// `logging`: how many processes write to the log, this one and the node's unless the node is in this one.
+  bool wait_for_connections(std::size_t logging = 2);
   void publish(const sensor_msgs::PointCloud2& cloud) { cloud_publisher_.publish(cloud); }
   void publish(const nav_msgs::Odometry& odometry) { odometry_publisher_.publish(odometry); }
 
