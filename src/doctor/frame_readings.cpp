@@ -25,7 +25,7 @@ struct Reading {
   CloudFrame frame;
   const char* axes;
   Eigen::Isometry3d to_map(const Eigen::Isometry3d& T_odom_body, const PairingOptions& said) const {
-    Eigen::Isometry3d R(parse_odometry_axes(axes));
+    const Eigen::Isometry3d R(parse_odometry_axes(axes));
     if (frame == CloudFrame::kWorld) return R;
     if (frame == CloudFrame::kBody) return R * T_odom_body;
     return R * T_odom_body * R.inverse() * said.T_body_sensor;

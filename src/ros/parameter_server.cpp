@@ -100,7 +100,7 @@ void set_from_server(NodeSettings& settings, const std::string& name, const XmlR
 }  // namespace
 
 NodeSettings load_settings(const ros::NodeHandle& private_nh) {
-  const std::string where = private_nh.getNamespace();
+  const std::string& where = private_nh.getNamespace();
   try {
     NodeSettings settings;
     settings.method = preset(private_nh.param<std::string>("preset", "default"));
