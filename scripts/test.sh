@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, runs every test. Then it builds without ROS and unoptimised, which must
-# also work, and compares the labels of the two builds; its tests would be the same ones again.
+# Installs what is missing, builds everything, runs every test. Then it builds without ROS, which must also work, and
+# compares the labels of the two builds; its tests would be the same ones again.
 # The build folders are build/ and build_core/ in the repository.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -34,7 +34,7 @@ timed "install" bash scripts/setup.sh
 # Warnings are errors here alone: a user's compiler may know more of them.
 timed "build" build build -DCMAKE_CXX_FLAGS="-Wpedantic -Werror"
 timed "tests" run_tests
-timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF -DCMAKE_BUILD_TYPE=Debug
+timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF
 timed "determinism" bash scripts/determinism.sh
 
 printf '\nSlowest tests:\n'
