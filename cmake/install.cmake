@@ -31,6 +31,7 @@ install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES LICENSE CHANGELOG.rst DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 if(NOT STILLMAP_WITH_ROS)
+  file(TOUCH ${CMAKE_BINARY_DIR}/CATKIN_IGNORE)  # as catkin does: nothing in a build folder is a package
   install(FILES cmake/stillmap-extras.cmake DESTINATION ${cmake_package} RENAME stillmapConfig.cmake)
   write_basic_package_version_file(${CMAKE_BINARY_DIR}/stillmapConfig-version.cmake COMPATIBILITY SameMinorVersion)
   #catkin_lint: ignore_once missing_file
