@@ -88,7 +88,7 @@ void evidence_found(benchmark::State& state) {
   std::vector<RangeImage> levels;
   levels.push_back(RangeImage::bracketed(seen, measure_geometry(seen), 100.0F));
   const ScanView view(1, street().T_map_sensor, std::move(levels));
-  std::vector<std::uint8_t> told(seen.size());
+  std::vector<int> told(seen.size());
   for (auto _ : state)
     view.find_told(seen.size(), seen.azimuth_rad.data(), seen.elevation_rad.data(), seen.range_m.data(),
                    models, told.data());

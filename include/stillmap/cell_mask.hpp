@@ -10,10 +10,24 @@ namespace stillmap {
 /// One bit for each cell of 2 x 2 x 2 voxels of a block: 4 x 4 x 4 cells, x fastest.
 using CellMask = std::uint64_t;
 
+namespace cell_mask {
+
+constexpr std::array<CellMask, kBlockVolume> cell_bits() {
+  std::array<CellMask, kBlockVolume> bits{};
+  for (int place = 0; place < kBlockVolume; ++place) {
+    const int x = place & (kBlockEdge - 1), y = place >> kBlockShift & (kBlockEdge - 1);
+    const int z = place >> (2 * kBlockShift);
+    bits[place] = CellMask{1} << (x / 2 | y / 2 << 2 | z / 2 << 4);
+  }
+  return bits;
+}
+inline constexpr std::array<CellMask, kBlockVolume> kCellBits = cell_bits();
+
+}  // namespace cell_mask
+
+/// The cell of a voxel.
 inline CellMask cell_bit(int place) {
-  const int cell =
-      (place >> 1 & 3) | (place >> (kBlockShift + 1) & 3) << 2 | (place >> (2 * kBlockShift + 1) & 3) << 4;
-  return CellMask{1} << cell;
+  return cell_mask::kCellBits[place];
 }
 
 namespace cell_mask {

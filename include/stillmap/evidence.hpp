@@ -27,9 +27,13 @@ struct LevelModel {
   float eta, kappa;        ///< rates of eq. (5)
   float eta_when_dynamic;  ///< eta while L < 0
   ConflictStrength form;
+  /// Orders the levels by eta: 1 for the smallest, the same for equal ones; 0 where eta is 0.
+  int support_rank = 1;
 
   /// Eq. (3).
   float tau_m(float range_m) const { return alpha * range_m + tau_0_m; }
+  /// What lies between two beams farther apart than this is not one surface.
+  float one_surface_m(float range_m) const { return 2 * epsilon_m + 0.1F * range_m; }
 };
 /// One model for each of angular_levels_deg.
 std::vector<LevelModel> level_models(const Parameters& parameters);
@@ -42,7 +46,7 @@ inline Evidence classify(float range_m, MeasuredRange measured, const LevelModel
   if (measured.nearest_m - range_m > level.tau_m(range_m)) return Evidence::kConflict;
   if (measured.farthest_m - range_m < -level.epsilon_m) return Evidence::kOcclusion;
   const bool inside = measured.nearest_m - range_m <= level.epsilon_m;
-  const bool one_surface = measured.farthest_m - measured.nearest_m <= 2 * level.epsilon_m + 0.1F * range_m;
+  const bool one_surface = measured.farthest_m - measured.nearest_m <= level.one_surface_m(range_m);
   return inside && one_surface ? Evidence::kSupport : Evidence::kUnknown;
 }
 

@@ -34,6 +34,11 @@ inline float conflict_increment(float kappa, float strength) {
   return -kappa * strength;
 }
 
+/// std::clamp by values: two instructions and no branch.
+inline float within(float value, float low, float high) {
+  return std::min(std::max(value, low), high);
+}
+
 /// The anti-accumulation rules of section 1.2.2, and where L may go.
 struct Recursion {
   float increment_clip;
@@ -42,8 +47,8 @@ struct Recursion {
 
   /// Eq. (4) with eq. (8): L <- (1 - lambda) L + clip(dL), kept inside its bounds.
   float operator()(float log_odds, float increment) const {
-    const float clipped = std::clamp(increment, -increment_clip, increment_clip);
-    return std::clamp((1.0F - forgetting) * log_odds + clipped, log_odds_min, log_odds_max);
+    const float clipped = within(increment, -increment_clip, increment_clip);
+    return within((1.0F - forgetting) * log_odds + clipped, log_odds_min, log_odds_max);
   }
 };
 

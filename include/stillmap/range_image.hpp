@@ -56,33 +56,33 @@ class RangeImage {
     const int pixel = grid_.pixel(azimuth_rad, elevation_rad);
     return pixel < 0 ? MeasuredRange{} : at(pixel);
   }
-  MeasuredRange at(int pixel) const {
-    const Span span = spans_[pixel];
-    return {span.nearest * step_m_, span.farthest * step_m_};
-  }
-  /// at() of n directions at once; 0 where there is no return.
-  void at(std::size_t n, const float* azimuth_rad, const float* elevation_rad, float* nearest_m,
-          float* farthest_m) const;
-  /// Nearest and farthest return of all pixels within `half_angle_rad` of a direction, and of some more
-  /// around: whatever lies there was measured inside this span.
-  MeasuredRange around(float azimuth_rad, float elevation_rad, float half_angle_rad) const;
+  MeasuredRange at(int pixel) const { return measured(spans_[pixel], step_m_); }
+  /// Of n elements in these directions and at these ranges: raises told[i] to `conflict` where a pixel
+  /// contradicts the element, to `support` where it supports it. See classify().
+  void tell(std::size_t n, const float* azimuth_rad, const float* elevation_rad, const float* range_m,
+            const LevelModel& model, int conflict, int support, int* told) const;
   const SphericalGrid& grid() const { return grid_; }
+  float step_m() const { return step_m_; }
+  /// The pixels of a column from the lowest row, each packed: the nearest return in the low half, the
+  /// farthest in the high one, in steps of step_m(); farthest 0 = no return.
+  const std::uint32_t* column(int column) const {
+    return &spans_[static_cast<std::size_t>(column) * static_cast<std::size_t>(grid_.rows)];
+  }
 
  private:
-  struct Span {
-    std::uint16_t nearest, farthest;  ///< farthest 0 = no return
-  };
+  using PackedSpan = std::uint32_t;  ///< for vector registers; see column()
+  static constexpr PackedSpan kNoReturn = 0xFFFF;
+  static MeasuredRange measured(PackedSpan span, float step_m) {
+    return {static_cast<float>(static_cast<int>(span & 0xFFFF)) * step_m,
+            static_cast<float>(static_cast<int>(span >> 16)) * step_m};
+  }
 
-  void make_tiles();
-  void summarise_tiles(int tile_column);
+  void tell_pixels(std::size_t n, const int* pixel, const float* range_m, const LevelModel& level,
+                   int conflict, int support, int* told) const;
 
-  static constexpr int kTileColumns = 8, kTileRows = 16;
   SphericalGrid grid_;
   float step_m_ = 0;
-  std::vector<Span> spans_;
-  int tile_columns_ = 0, tile_rows_ = 0;
-  std::vector<Span>
-      tiles_;  ///< span of kTileColumns x kTileRows pixels, column by column; nearest 65535 = none
+  std::vector<PackedSpan> spans_;  ///< by pixel; one more at the end, without a return, for what lies outside
 };
 
 }  // namespace stillmap

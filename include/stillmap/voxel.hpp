@@ -58,7 +58,7 @@ struct Voxel {
  private:
   static constexpr std::uint16_t kCentre = 16 | 16 << 5 | 16 << 10;
   static unsigned bits(float offset) {
-    return static_cast<unsigned>(std::clamp(offset * 32.0F, 0.0F, 31.0F));
+    return static_cast<unsigned>(static_cast<int>(std::min(std::max(offset * 32.0F, 0.0F), 31.0F)));
   }
 };
 static_assert(sizeof(Voxel) == 8);

@@ -31,11 +31,13 @@ class VoxelBlock {
   /// The voxel of a rank.
   Voxel& stored(int rank) { return voxels_[rank]; }
   const Voxel& stored(int rank) const { return voxels_[rank]; }
-  /// The voxel at `place`, made if it is not there; `created` says which.
-  Voxel& find_or_create(int place, bool& created) {
+  /// Rank of the voxel at `place`, made if it is not there; `created` says which.
+  int rank_or_create(int place, bool& created) {
     created = !contains(place);
-    return created ? create(place) : at(place);
+    if (created) create(place);
+    return rank(place);
   }
+  Voxel& find_or_create(int place, bool& created) { return voxels_[rank_or_create(place, created)]; }
 
   std::size_t size() const { return voxels_.size(); }
   /// Calls visit(place, voxel) by ascending place.
@@ -76,7 +78,7 @@ class VoxelBlock {
   CellMask moving = 0;            ///< of that scan: the cells where it did
 
  private:
-  Voxel& create(int place);
+  void create(int place);
   template <class BlockT, class Visitor>
   static void for_each_of(BlockT& block, Visitor&& visit) {
     auto* voxel = block.voxels_.data();

@@ -1,5 +1,7 @@
 #include "block_projection.hpp"
 
+#include <algorithm>
+
 #include "vector_clones.hpp"
 
 namespace stillmap {
@@ -10,10 +12,11 @@ inline float edges(std::uint32_t place_bits, std::uint32_t surface_bits) {
   return (static_cast<float>(static_cast<int>((place_bits & 7) << 5 | (surface_bits & 31))) + 0.5F) / 32.0F;
 }
 
-STILLMAP_VECTOR_CLONES void place_in_sensor_frame(std::size_t n, const std::uint32_t* __restrict packed,
-                                                  const Eigen::Vector3f& corner, const Eigen::Matrix3f& step,
-                                                  float* __restrict x, float* __restrict y,
-                                                  float* __restrict z) {
+/// Where the voxels' surfaces are seen. Also spherical(), in the same loop.
+STILLMAP_VECTOR_CLONES void see(std::size_t n, const std::uint32_t* __restrict packed,
+                                const Eigen::Vector3f& corner, const Eigen::Matrix3f& step,
+                                float* __restrict azimuth_rad, float* __restrict elevation_rad,
+                                float* __restrict range_m) {
   const float xx = step(0, 0), xy = step(0, 1), xz = step(0, 2), x0 = corner.x();
   const float yx = step(1, 0), yy = step(1, 1), yz = step(1, 2), y0 = corner.y();
   const float zx = step(2, 0), zy = step(2, 1), zz = step(2, 2), z0 = corner.z();
@@ -22,17 +25,61 @@ STILLMAP_VECTOR_CLONES void place_in_sensor_frame(std::size_t n, const std::uint
     const float u = edges(place, surface);
     const float v = edges(place >> kBlockShift, surface >> 5);
     const float w = edges(place >> (2 * kBlockShift), surface >> 10);
-    x[i] = x0 + xx * u + xy * v + xz * w;
-    y[i] = y0 + yx * u + yy * v + yz * w;
-    z[i] = z0 + zx * u + zy * v + zz * w;
+    const float x = x0 + xx * u + xy * v + xz * w;
+    const float y = y0 + yx * u + yy * v + yz * w;
+    const float z = z0 + zx * u + zy * v + zz * w;
+    const float flat_squared = x * x + y * y;
+    range_m[i] = std::sqrt(flat_squared + z * z);
+    azimuth_rad[i] = fast_atan2(y, x);
+    elevation_rad[i] = fast_atan2(z, std::sqrt(flat_squared));
+  }
+}
+
+STILLMAP_VECTOR_CLONES void except_new(std::size_t n, const Voxel* voxels, int* __restrict told) {
+  for (std::size_t i = 0; i < n; ++i) told[i] = voxels[i].age == 0 ? 0 : told[i];
+}
+
+STILLMAP_VECTOR_CLONES void except_hits(std::size_t n, const Voxel* voxels, int* __restrict told) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const int beside = voxels[i].idle == 0 ? BlockProjection::kHit : told[i];
+    told[i] = voxels[i].age == 0 ? 0 : beside;
   }
 }
 
 }  // namespace
 
-void BlockProjection::project(const Eigen::Vector3f& corner_sensor_m, const ScanView& view, float voxel_m) {
-  place_in_sensor_frame(size_, packed_, corner_sensor_m, view.R_sensor_map * voxel_m, x_, y_, z_);
-  spherical(size_, x_, y_, z_, azimuth_rad_, elevation_rad_, range_m_);
+void BlockProjection::project(const VoxelBlock& block, const Eigen::Vector3f& corner_sensor_m,
+                              const ScanView& view, float voxel_m) {
+  size_ = 0;
+  block.for_each([this](int place, const Voxel& voxel) {
+    packed_[size_++] = static_cast<std::uint32_t>(place) << 15 | voxel.surface;
+  });
+  std::fill_n(packed_ + size_, kLanes, 0U);
+  see(whole_lanes(), packed_, corner_sensor_m, view.R_sensor_map * voxel_m, azimuth_rad_, elevation_rad_,
+      range_m_);
+}
+
+void BlockProjection::find_told(const ScanView& view, const std::vector<LevelModel>& models) {
+  view.find_told(whole_lanes(), azimuth_rad_, elevation_rad_, range_m_, models, told_);
+  list_told();
+}
+
+void BlockProjection::find_told_beside_hits(const VoxelBlock& block, bool hit_is_support,
+                                            const ScanView& view, const std::vector<LevelModel>& models) {
+  view.find_told(whole_lanes(), azimuth_rad_, elevation_rad_, range_m_, models, told_);
+  if (hit_is_support)
+    except_hits(size_, &block.stored(0), told_);
+  else
+    except_new(size_, &block.stored(0), told_);
+  list_told();
+}
+
+void BlockProjection::list_told() {
+  told_size_ = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    told_at_[told_size_] = static_cast<std::uint16_t>(i);
+    told_size_ += told_[i] != 0;
+  }
 }
 
 }  // namespace stillmap

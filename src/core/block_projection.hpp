@@ -8,34 +8,47 @@
 
 namespace stillmap {
 
-/// Voxels of one block as a scan sees them: where their surfaces lie, and about which of them it tells.
+/// The voxels of one block as a scan sees them: where their surfaces lie, and what it tells about them.
 class BlockProjection {
  public:
-  void add(int place, Voxel& voxel) {
-    packed_[size_] = static_cast<std::uint32_t>(place) << 15 | voxel.surface;
-    voxels_[size_++] = &voxel;
-  }
-  std::size_t size() const { return size_; }
-
   /// `corner_sensor_m` is the block's low corner.
-  void project(const Eigen::Vector3f& corner_sensor_m, const ScanView& view, float voxel_m);
-  /// Calls visit(place, voxel, spherical) for each voxel that the scan supports or contradicts.
-  template <class Visitor>
-  void for_each_told(const ScanView& view, const std::vector<LevelModel>& models, Visitor&& visit) {
-    view.find_told(size_, azimuth_rad_, elevation_rad_, range_m_, models, told_);
-    for (std::size_t i = 0; i < size_; ++i)
-      if (told_[i] != 0)
-        visit(static_cast<int>(packed_[i] >> 15), *voxels_[i],
-              Spherical{azimuth_rad_[i], elevation_rad_[i], range_m_[i]});
+  void project(const VoxelBlock& block, const Eigen::Vector3f& corner_sensor_m, const ScanView& view,
+               float voxel_m);
+  /// Sorts out the voxels that the scan supports or contradicts.
+  void find_told(const ScanView& view, const std::vector<LevelModel>& models);
+  /// The same for a block that the scan hit: new voxels are left out, and where a hit is support by itself,
+  /// voxels that were hit are not asked about: kHit.
+  static constexpr int kHit = -1;
+  void find_told_beside_hits(const VoxelBlock& block, bool hit_is_support, const ScanView& view,
+                             const std::vector<LevelModel>& models);
+
+  /// Calls support(rank, says) for each voxel that it supports, conflict(place, rank, seen) for each that it
+  /// contradicts; see ScanView::find_told().
+  template <class Support, class Conflict>
+  void for_each_told(Support&& support, Conflict&& conflict) const {
+    for (std::size_t k = 0; k < told_size_; ++k) {
+      const std::size_t i = told_at_[k];
+      if (told_[i] == ScanView::kConflict)
+        conflict(static_cast<int>(packed_[i] >> 15), static_cast<int>(i),
+                 Spherical{azimuth_rad_[i], elevation_rad_[i], range_m_[i]});
+      else
+        support(static_cast<int>(i), told_[i]);
+    }
   }
 
  private:
-  std::size_t size_ = 0;
-  std::uint32_t packed_[kBlockVolume];  ///< place and surface
-  Voxel* voxels_[kBlockVolume];
-  float x_[kBlockVolume], y_[kBlockVolume], z_[kBlockVolume];
-  float azimuth_rad_[kBlockVolume], elevation_rad_[kBlockVolume], range_m_[kBlockVolume];
-  std::uint8_t told_[kBlockVolume];
+  static constexpr std::size_t kLanes = 8;  ///< vector registers are filled up with the voxel at place 0
+  static constexpr std::size_t kMost = kBlockVolume + kLanes;
+
+  std::size_t whole_lanes() const { return (size_ + kLanes - 1) / kLanes * kLanes; }
+  void list_told();
+
+  // By rank of the voxel.
+  std::size_t size_ = 0, told_size_ = 0;
+  std::uint32_t packed_[kMost];  ///< place and surface
+  float azimuth_rad_[kMost], elevation_rad_[kMost], range_m_[kMost];
+  int told_[kMost];
+  std::uint16_t told_at_[kMost];  ///< the voxels about which the scan tells
 };
 
 }  // namespace stillmap

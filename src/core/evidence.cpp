@@ -17,6 +17,11 @@ std::vector<LevelModel> level_models(const Parameters& p) {
     models[r].eta_when_dynamic = static_cast<float>(p.support_rate_when_dynamic);
     models[r].form = p.conflict_strength == "linear" ? ConflictStrength::kLinear : ConflictStrength::kSigmoid;
   }
+  for (LevelModel& model : models) {
+    model.support_rank = model.eta > 0 ? 1 : 0;
+    for (const LevelModel& other : models)
+      if (other.eta > 0 && other.eta < model.eta) ++model.support_rank;
+  }
   return models;
 }
 

@@ -77,15 +77,15 @@ STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
   const std::uint32_t* rows = &rows_by_block[hit.first_row];
   const std::size_t lidars = sensors.size();
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+    const std::uint16_t place = located.place[rows[i]];
     bool created = false;
-    const Eigen::Vector3f offset = parameters.surface_in_voxel ? located.offset(rows[i]) : centre;
-    block.find_or_create(located.place[rows[i]], created).hit(offset, lidars);
+    const int rank = block.rank_or_create(place, created);
+    block.stored(rank).hit(parameters.surface_in_voxel ? located.offset(rows[i]) : centre, lidars);
+    voxel_of_row[rows[i]] = {hit.index, place, static_cast<std::uint16_t>(rank)};
     if (created) new_rows[hit.first_row + hit.new_count++] = rows[i];
   }
-  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
-    const std::uint16_t place = located.place[rows[i]];
-    voxel_of_row[rows[i]] = {hit.index, place, static_cast<std::uint16_t>(block.rank(place))};
-  }
+  for (std::uint32_t i = 0; hit.new_count > 0 && i < hit.row_count; ++i)
+    voxel_of_row[rows[i]].rank = static_cast<std::uint16_t>(block.rank(located.place[rows[i]]));
   if (every_voxel_is_judged) find_known_surface(block);
 }
 

@@ -81,8 +81,10 @@ void Mapper::State::place_submaps() {
     const StandingCells standing = standing_cells(all[k]);
     for (const ScanView& view : all[k].views) {
       map.find_near(view.origin_map_m, reach_m(), near_tiles);
+      const CoarseView coarse(view, models);
       tbb::parallel_for(std::size_t{0}, near_tiles.size(), [&](std::size_t i) {
-        for (const BlockEntry& entry : *near_tiles[i]) judge_again(view, map.block(entry.index), standing);
+        for (const BlockEntry& entry : *near_tiles[i])
+          judge_again(view, coarse, map.block(entry.index), standing);
       });
     }
     if (k > 0) place(all[k - 1]);
@@ -115,12 +117,12 @@ Mapper::State::StandingCells Mapper::State::standing_cells(const Submap& submap)
   return cells;
 }
 
-void Mapper::State::judge_again(const ScanView& view, VoxelBlock& block, const StandingCells& standing) {
+void Mapper::State::judge_again(const ScanView& view, const CoarseView& coarse, VoxelBlock& block,
+                                const StandingCells& standing) {
   const auto half_m = static_cast<float>(0.5 * map.block_size_m());
   const Eigen::Vector3d low = voxel_key(block.key(), 0).cast<double>() * map.voxel_size_m();
   const Eigen::Vector3f center = view.to_sensor(low + Eigen::Vector3d::Constant(half_m));
-  if (center.norm() > static_cast<float>(reach_m()) ||
-      view.hides_ball(center, half_m * std::sqrt(3.0F), models))
+  if (center.norm() > static_cast<float>(reach_m()) || !coarse.may_tell(center, half_m * std::sqrt(3.0F)))
     return;
   std::array<CellMask, 27> around{};
   for (int i = 0; i < 27; ++i) {

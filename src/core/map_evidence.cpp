@@ -1,5 +1,6 @@
 #include "beam_share.hpp"
 #include "block_projection.hpp"
+#include "coarse_image.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -8,23 +9,19 @@ namespace stillmap {
 void Mapper::State::apply_evidence(const ScanView& view) {
   for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
   map.find_near(view.origin_map_m, reach_m(), near_tiles);
+  const CoarseView coarse(view, models);
   tbb::parallel_for(std::size_t{0}, near_tiles.size(),
-                    [&](std::size_t i) { judge_tile(view, *near_tiles[i]); });
+                    [&](std::size_t i) { judge_tile(view, coarse, *near_tiles[i]); });
 }
 
 void Mapper::State::judge_hit_block(const ScanView& view, VoxelBlock& block) {
   BlockProjection seen;
-  block.for_each([&](int place, Voxel& voxel) {
-    if (voxel.age == 0) return;  // new: replay judges it
-    if (voxel.idle == 0 && parameters.hit_is_support)
-      support(voxel);
-    else
-      seen.add(place, voxel);
-  });
+  project_block(view, block, seen);
+  seen.find_told_beside_hits(block, parameters.hit_is_support, view, models);  // replay judges the new ones
   judge(view, block, seen);
 }
 
-void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
+void Mapper::State::judge_tile(const ScanView& view, const CoarseView& coarse, const BlockTile& tile) {
   constexpr std::size_t kFarAhead = 8, kAhead = 3;
   const auto half_m = static_cast<float>(0.5 * map.block_size_m());
   const Eigen::Vector3f to_center = view.R_sensor_map * Eigen::Vector3f::Constant(half_m);
@@ -33,8 +30,7 @@ void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
   for (const BlockEntry& entry : tile) {
     const Eigen::Vector3f corner = corner_of(entry.key, view);
     if (corner.squaredNorm() > reach * reach) continue;
-    if (!view.hides_ball(corner + to_center, half_m * std::sqrt(3.0F), models))
-      in_view.push_back(entry.index);
+    if (coarse.may_tell(corner + to_center, half_m * std::sqrt(3.0F))) in_view.push_back(entry.index);
   }
   for (std::size_t i = 0; i < in_view.size(); ++i) {
     if (i + kFarAhead < in_view.size()) map.block(in_view[i + kFarAhead]).prefetch();
@@ -42,59 +38,58 @@ void Mapper::State::judge_tile(const ScanView& view, const BlockTile& tile) {
     VoxelBlock& block = map.block(in_view[i]);
     if (block.hit_scan == scan_count) continue;
     BlockProjection seen;
-    block.for_each([&](int place, Voxel& voxel) { seen.add(place, voxel); });
+    project_block(view, block, seen);
+    seen.find_told(view, models);
     judge(view, block, seen);
   }
+}
+
+void Mapper::State::project_block(const ScanView& view, const VoxelBlock& block,
+                                  BlockProjection& seen) const {
+  seen.project(block, corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
 }
 
 Eigen::Vector3f Mapper::State::corner_of(const BlockKey& key, const ScanView& view) const {
   return view.to_sensor(voxel_key(key, 0).cast<double>() * map.voxel_size_m());
 }
 
-void Mapper::State::judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen) {
-  seen.project(corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
+void Mapper::State::judge(const ScanView& view, VoxelBlock& block, const BlockProjection& seen) {
   struct Conflict {
-    int place;
-    Voxel* voxel;
-    FusedEvidence evidence;
-    float range_m;
+    int place, rank;
+    Spherical seen;
   };
   std::vector<Conflict> conflicts;
   CellMask seen_through = 0;
-  seen.for_each_told(view, models, [&](int place, Voxel& voxel, const Spherical& here) {
-    const FusedEvidence evidence = view.evidence(here, models);
-    if (evidence.kind() == Evidence::kSupport) update(voxel, evidence, 1);
-    if (evidence.kind() != Evidence::kConflict) return;
-    conflicts.push_back({place, &voxel, evidence, here.range_m});
-    seen_through |= cell_bit(place);
-  });
+  seen.for_each_told(
+      [&](int rank, int says) {
+        Voxel& voxel = block.stored(rank);
+        const bool is_hit = says == BlockProjection::kHit;
+        support(voxel, is_hit ? support_tables.of_hit(voxel) : support_tables.of_rank(says));
+      },
+      [&](int place, int rank, const Spherical& here) {
+        conflicts.push_back({place, rank, here});
+        seen_through |= cell_bit(place);
+      });
   if (conflicts.empty()) return;
   const CellMask surface = near_standing_surface(block.key(), seen_through);
   constexpr int kEmpty = 8;  // scans that saw through it: no leaf hides for so long
   const CellMask porous = near_porous(block.key(), seen_through);
   const BeamShare share = beam_share(beams);
   for (const Conflict& conflict : conflicts) {
-    conflict.voxel->see_through();
+    Voxel& voxel = block.stored(conflict.rank);
+    voxel.see_through();
     const CellMask cell = cell_bit(conflict.place);
-    const bool is_porous =
-        conflict.voxel->came_back != 0 || (conflict.voxel->seen_through < kEmpty && (porous & cell) != 0);
+    const bool is_porous = voxel.came_back != 0 || (voxel.seen_through < kEmpty && (porous & cell) != 0);
     const float factor = conflict_factor(is_porous, (surface & cell) != 0);
-    update(*conflict.voxel, conflict.evidence, factor * std::sqrt(share.at(conflict.range_m)));
+    const float increment = view.evidence(conflict.seen, models).increment(voxel.log_odds());
+    voxel.set_log_odds(
+        recursion(voxel.log_odds(), factor * std::sqrt(share.at(conflict.seen.range_m)) * increment));
   }
 }
 
-void Mapper::State::update(Voxel& voxel, const FusedEvidence& evidence, float factor) const {
-  if (evidence.kind() == Evidence::kSupport && is_settling(voxel)) return let_settle(voxel);
-  const float increment = evidence.increment(voxel.log_odds(), p_static[voxel.log_odds_fixed]);
-  voxel.set_log_odds(recursion(voxel.log_odds(), factor * increment));
-}
-
-void Mapper::State::support(Voxel& voxel) const {
+void Mapper::State::support(Voxel& voxel, const SupportTable& table) const {
   if (is_settling(voxel)) return let_settle(voxel);
-  const float log_odds = voxel.log_odds();
-  const bool full = parameters.full_support_on_return && voxel.came_back != 0;
-  const float eta = full ? models.front().eta : own_hit.eta(log_odds);
-  voxel.set_log_odds(recursion(log_odds, support_increment(eta, p_static[voxel.log_odds_fixed])));
+  table.support(voxel);
 }
 
 bool Mapper::State::is_settling(const Voxel& voxel) const {

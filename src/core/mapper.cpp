@@ -67,6 +67,7 @@ Mapper::State::State(const Parameters& p)
       models(level_models(p)),
       recursion(recursion_of(p)),
       decision(decision_of(p)),
+      support_tables(models, recursion, p.full_support_on_return),
       map(p.voxel_size_m),
       rolling(map, reach_m() + kColumnsAround_m, p.rolling_radius_m),
       submaps(p.submap_length_m),

@@ -11,6 +11,7 @@
 #include "block_projection.hpp"
 #include "calibration.hpp"
 #include "clusters.hpp"
+#include "coarse_image.hpp"
 #include "ground.hpp"
 #include "located_rows.hpp"
 #include "object_votes.hpp"
@@ -23,6 +24,7 @@
 #include "stillmap/sensor_geometry.hpp"
 #include "stillmap/voxel_map.hpp"
 #include "submaps.hpp"
+#include "support_table.hpp"
 
 namespace stillmap {
 
@@ -61,6 +63,7 @@ struct Mapper::State {
   Decision decision;
   ProbabilityTable p_static;
   Calibration calibration;
+  SupportTables support_tables;
   std::vector<SensorState> sensors;  ///< by Scan::sensor
   VoxelMap map;                      ///< what a scan can touch
   RollingMap rolling;                ///< all of it
@@ -93,9 +96,9 @@ struct Mapper::State {
   std::vector<float> height_above_ground_m;  ///< by row
   Clusters clusters, moving_pieces;
   std::vector<Votes> object_votes, patch_votes;
-  std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
-  std::vector<RowClues> clues;              ///< by row
-  std::vector<std::uint8_t> takes_part;     ///< by row, for Clusters
+  std::vector<std::uint32_t> patch_of_row;      ///< where a row has a cluster
+  std::vector<RowClues> clues;                  ///< by row
+  std::vector<std::uint8_t> takes_part;         ///< by row, for Clusters
 
   // mapper.cpp
   SensorState& sensor(int index);
@@ -137,11 +140,11 @@ struct Mapper::State {
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence(const ScanView& view);
   void judge_hit_block(const ScanView& view, VoxelBlock& block);
-  void judge_tile(const ScanView& view, const BlockTile& tile);
-  void judge(const ScanView& view, const VoxelBlock& block, BlockProjection& seen);
+  void judge_tile(const ScanView& view, const CoarseView& coarse, const BlockTile& tile);
+  void project_block(const ScanView& view, const VoxelBlock& block, BlockProjection& seen) const;
+  void judge(const ScanView& view, VoxelBlock& block, const BlockProjection& seen);
   Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
-  void update(Voxel& voxel, const FusedEvidence& evidence, float factor) const;
-  void support(Voxel& voxel) const;
+  void support(Voxel& voxel, const SupportTable& table) const;
   /// What moved in and stays gains, however strong its support, settling_step a scan as long as L < 0.
   bool is_settling(const Voxel& voxel) const;
   void let_settle(Voxel& voxel) const;
@@ -198,7 +201,8 @@ struct Mapper::State {
   void place_submaps();
   void place(const Submap& submap);
   StandingCells standing_cells(const Submap& submap) const;
-  void judge_again(const ScanView& view, VoxelBlock& block, const StandingCells& standing);
+  void judge_again(const ScanView& view, const CoarseView& coarse, VoxelBlock& block,
+                   const StandingCells& standing);
 
   // labelling.cpp
   void decide(const ScanView& view);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "mapper_state.hpp"
+#include "vector_clones.hpp"
 
 namespace stillmap {
 namespace {
@@ -8,20 +9,29 @@ namespace {
 constexpr std::uint32_t kStandingMemoryScans = 1;
 constexpr std::uint32_t kMovingMemoryScans = 2;
 
+STILLMAP_VECTOR_CLONES void find_standing(std::size_t n, const Voxel* voxels, std::uint32_t most_idle,
+                                          float established, std::uint8_t* __restrict stands) {
+  constexpr int kEstablishedHits = 3;
+  for (std::size_t i = 0; i < n; ++i)
+    stands[i] = (voxels[i].idle <= most_idle) & (voxels[i].hits >= kEstablishedHits) &
+                (voxels[i].log_odds() >= established);
+}
+
 }  // namespace
 
 void Mapper::State::find_known_surface(VoxelBlock& block) const {
-  constexpr int kEstablishedHits = 3;
-  const float established = log_odds_from_p(decision.p_static_min);
-  block.standing = block.porous = 0;
+  std::uint8_t stands[kBlockVolume];
+  find_standing(block.size(), &block.stored(0), scans_of_all(kStandingMemoryScans),
+                log_odds_from_p(decision.p_static_min), stands);
+  CellMask standing = 0, porous = 0;
+  const std::uint8_t* voxel_stands = stands;
   block.for_each([&](int place, const Voxel& voxel) {
-    const CellMask cell = cell_bit(place);
-    const bool stands = (voxel.idle <= scans_of_all(kStandingMemoryScans)) &
-                        (voxel.hits >= kEstablishedHits) & (voxel.log_odds() >= established);
-    const bool porous = (voxel.came_back != 0) & (voxel.log_odds_fixed > 0);
-    block.standing |= stands ? cell : 0;
-    block.porous |= porous ? cell : 0;
+    const bool is_porous = (voxel.came_back != 0) & (voxel.log_odds_fixed > 0);
+    standing |= *voxel_stands++ != 0 ? cell_bit(place) : 0;
+    porous |= is_porous ? cell_bit(place) : 0;
   });
+  block.standing = standing;
+  block.porous = porous;
 }
 
 CellMask Mapper::State::near_standing_surface(const BlockKey& key, CellMask asked) const {

@@ -19,7 +19,7 @@ struct Batch {
   float conflict_factor[kAtOnce];  ///< 0 until the first conflict
   // As the present one of the earlier scans sees them.
   float azimuth_rad[kAtOnce], elevation_rad[kAtOnce], range_m[kAtOnce];
-  std::uint8_t told[kAtOnce];
+  int told[kAtOnce];
 };
 
 STILLMAP_VECTOR_CLONES void see(Batch& batch, const Eigen::Vector3d& origin_map_m,

@@ -42,23 +42,11 @@ class ScanView {
     return fused;
   }
 
-  /// For n elements at once: told[i] is 0 where evidence() would be kUnknown.
+  /// For n elements at once: told[i] is kConflict, or LevelModel::support_rank of the strongest support, or 0
+  /// where evidence() would be kUnknown.
+  static constexpr int kConflict = 0x7FFFFFFF;
   void find_told(std::size_t n, const float* azimuth_rad, const float* elevation_rad, const float* range_m,
-                 const std::vector<LevelModel>& models, std::uint8_t* told) const;
-
-  /// No pixel around the ball has a return as far as the ball's near side: all in it is hidden or out of
-  /// sight.
-  bool hides_ball(const Eigen::Vector3f& center_sensor_m, float radius_m,
-                  const std::vector<LevelModel>& models) const {
-    const Spherical s = spherical(center_sensor_m);
-    if (s.range_m < 3 * radius_m) return false;
-    const float half_angle_rad = 1.1F * radius_m / s.range_m;
-    for (std::size_t r = 0; r < levels_.size(); ++r) {
-      const MeasuredRange measured = levels_[r].around(s.azimuth_rad, s.elevation_rad, half_angle_rad);
-      if (measured.valid() && measured.farthest_m + models[r].epsilon_m >= s.range_m - radius_m) return false;
-    }
-    return true;
-  }
+                 const std::vector<LevelModel>& models, int* told) const;
 
   const std::vector<RangeImage>& levels() const { return levels_; }
 

@@ -2,20 +2,28 @@
 
 #include <algorithm>
 
-namespace stillmap {
+#include "vector_clones.hpp"
 
-Voxel& VoxelBlock::create(int place) {
+namespace stillmap {
+namespace {
+
+STILLMAP_VECTOR_CLONES void grow_older(std::uint32_t scans, std::size_t n, Voxel* voxels) {
+  for (std::size_t i = 0; i < n; ++i) voxels[i].grow_older(scans);
+}
+
+}  // namespace
+
+void VoxelBlock::create(int place) {
   const int index = rank(place), word = place >> 6;
   occupied_[word] |= std::uint64_t{1} << (place & 63);
   for (int later = word + 1; later < kWords; ++later) ++before_[later];
-  return *voxels_.insert(voxels_.begin() + index, Voxel{});
+  voxels_.insert(voxels_.begin() + index, Voxel{});
 }
 
 void VoxelBlock::age(std::uint32_t scan) {
   const std::uint32_t scans = scan - aged_scan_;
   aged_scan_ = scan;
-  if (scans == 0) return;
-  for (Voxel& voxel : voxels_) voxel.grow_older(scans);
+  if (scans > 0) grow_older(scans, voxels_.size(), voxels_.data());
 }
 
 Voxel VoxelBlock::as_of(int place, std::uint32_t scan) const {
