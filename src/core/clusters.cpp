@@ -115,6 +115,17 @@ void Clusters::link_columns(int first, int last) {
   }
 }
 
+inline std::int32_t Clusters::root(std::int32_t pixel) {
+  while (parent_[pixel] != pixel) pixel = parent_[pixel] = parent_[parent_[pixel]];
+  return pixel;
+}
+
+inline void Clusters::join(std::int32_t a, std::int32_t b) {
+  if (parent_[a] == parent_[b]) return;
+  const std::int32_t root_a = root(a), root_b = root(b), least = std::min(root_a, root_b);
+  parent_[root_a] = parent_[root_b] = parent_[a] = parent_[b] = least;
+}
+
 void Clusters::join_links() {
   parent_.resize(grid_.size());
   for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel)
@@ -152,17 +163,6 @@ void Clusters::name_clusters(const ProjectedScan& scan) {
     if (name == kNone) name = static_cast<std::int32_t>(count_++);
     cluster = name;
   }
-}
-
-std::int32_t Clusters::root(std::int32_t pixel) {
-  while (parent_[pixel] != pixel) pixel = parent_[pixel] = parent_[parent_[pixel]];
-  return pixel;
-}
-
-void Clusters::join(std::int32_t a, std::int32_t b) {
-  a = root(a);
-  b = root(b);
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace stillmap

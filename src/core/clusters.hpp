@@ -21,6 +21,9 @@ class Clusters {
   const std::vector<std::int32_t>& of_row() const { return of_row_; }
   std::size_t count() const { return count_; }
 
+  /// Columns of the image all around, and that of a direction.
+  int columns() const { return grid_.columns; }
+  int column(float azimuth_rad) const { return grid_.column(azimuth_rad); }
   /// Whether the test holds for one of the rows that took part, up to about two rings above a direction.
   template <class Test>
   bool any_above(float azimuth_rad, float elevation_rad, Test&& test) const {

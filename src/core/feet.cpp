@@ -7,18 +7,30 @@ namespace stillmap {
 void Mapper::State::take_feet_along() {
   constexpr float kLowestM = 0.02F, kHighestM = 0.3F;  // above the ground
   constexpr float kBesideM = 0.25F;
+  // Most columns have nothing that moves. What is settled here may lie above another foot.
+  moves_near_column.assign(static_cast<std::size_t>(clusters.columns()), 0);
+  for (std::size_t row = 0; row < clues.size(); ++row)
+    if (labels.label[row] == Label::kDynamic) note_mover(row);
   for (std::size_t row = 0; row < clues.size(); ++row) {
-    if (!voxel_of_row[row].exists() || labels.label[row] == Label::kDynamic) continue;
     const float height_m = height_above_ground_m[row];
-    if (height_m <= kLowestM || height_m >= kHighestM) continue;
+    if (!(height_m > kLowestM && height_m < kHighestM)) continue;
+    if (!voxel_of_row[row].exists() || labels.label[row] == Label::kDynamic) continue;
+    if (moves_near_column[clusters.column(projected.azimuth_rad[row])] == 0) continue;
     const auto moves_right_above = [&](std::int32_t above) {
       const float dx_m = upright.x_m[above] - upright.x_m[row], dy_m = upright.y_m[above] - upright.y_m[row];
       return labels.label[above] == Label::kDynamic && dx_m * dx_m + dy_m * dy_m < kBesideM * kBesideM &&
              belongs_to_mover(above);
     };
-    if (clusters.any_above(projected.azimuth_rad[row], projected.elevation_rad[row], moves_right_above))
-      settle(row, Reason::kObjectMoves);
+    if (!clusters.any_above(projected.azimuth_rad[row], projected.elevation_rad[row], moves_right_above))
+      continue;
+    settle(row, Reason::kObjectMoves);
+    note_mover(row);
   }
+}
+
+void Mapper::State::note_mover(std::size_t row) {
+  const int column = clusters.column(projected.azimuth_rad[row]), columns = clusters.columns();
+  for (const int near : {column + columns - 1, column, column + 1}) moves_near_column[near % columns] = 1;
 }
 
 // A few dynamic returns of a tuft of grass have no feet.

@@ -25,22 +25,25 @@ void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     const std::uint32_t row = rows_by_block[hit.first_row + i];
     const Voxel& voxel = hit.block->stored(voxel_of_row[row].rank);
+    const float p = p_static[voxel.log_odds_fixed];
+    const Label label = decision(p);
     on_old_surface[row] = voxel.age >= scans_of_all(kYoungScans);
-    labels.p_static[row] = p_static[voxel.log_odds_fixed];
-    labels.label[row] = decision(labels.p_static[row]);
-    labels.reason[row] = reason_of(voxel_of_row[row], labels.label[row], view);
+    labels.p_static[row] = p;
+    labels.label[row] = label;
+    labels.reason[row] =
+        label == Label::kStatic ? Reason::kSupported : reason_of(*hit.block, voxel_of_row[row], label, view);
   }
 }
 
-Reason Mapper::State::reason_of(const VoxelRef& ref, Label label, const ScanView& view) const {
-  const Voxel& voxel = voxel_of(ref);
-  if (label == Label::kStatic) return Reason::kSupported;
+Reason Mapper::State::reason_of(const VoxelBlock& block, const VoxelRef& ref, Label label,
+                                const ScanView& view) const {
+  const Voxel& voxel = block.stored(ref.rank);
   if (label == Label::kUncertain)
     return voxel.age == 0 && voxel.log_odds_fixed == untold.log_odds_fixed ? Reason::kNeverJudged
                                                                            : Reason::kMixedEvidence;
   if (parameters.hit_is_support) return Reason::kSeenThrough;
   const Eigen::Vector3d in_edges =
-      voxel_key(map.block(ref.block).key(), ref.place).cast<double>() + voxel.surface_offset().cast<double>();
+      voxel_key(block.key(), ref.place).cast<double>() + voxel.surface_offset().cast<double>();
   const FusedEvidence now = view.evidence(view.to_sensor(in_edges * map.voxel_size_m()), models);
   return now.kind() == Evidence::kConflict ? Reason::kSeenThroughNow : Reason::kSeenThrough;
 }

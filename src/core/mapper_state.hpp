@@ -99,6 +99,7 @@ struct Mapper::State {
   std::vector<std::uint32_t> patch_of_row;      ///< where a row has a cluster
   std::vector<RowClues> clues;                  ///< by row
   std::vector<std::uint8_t> takes_part;         ///< by row, for Clusters
+  std::vector<std::uint8_t> moves_near_column;  ///< of clusters: something moves there or in the next one
 
   // mapper.cpp
   SensorState& sensor(int index);
@@ -207,7 +208,8 @@ struct Mapper::State {
   // labelling.cpp
   void decide(const ScanView& view);
   void decide_rows(const HitBlock& hit, const ScanView& view);
-  Reason reason_of(const VoxelRef& voxel, Label label, const ScanView& view) const;
+  /// Why a voxel is not static.
+  Reason reason_of(const VoxelBlock& block, const VoxelRef& voxel, Label label, const ScanView& view) const;
   void calibrate();
 
   // objects.cpp, specks.cpp
@@ -224,6 +226,7 @@ struct Mapper::State {
 
   // feet.cpp
   void take_feet_along();
+  void note_mover(std::size_t row);
   bool belongs_to_mover(std::int32_t row) const;
 };
 

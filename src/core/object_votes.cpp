@@ -7,15 +7,6 @@ constexpr int kFew = 3;  // rows that prove nothing
 
 }  // namespace
 
-void Votes::add(Label label, const RowClues& clues) {
-  ++rows;
-  dynamic += label == Label::kDynamic;
-  is_static += label == Label::kStatic;
-  established += clues.established;
-  followed += clues.followed;
-  leaning += clues.leaning;
-}
-
 bool Votes::known_before() const {
   constexpr float kHardlyAny = 0.1F;
   return static_cast<float>(established) > kHardlyAny * static_cast<float>(rows);

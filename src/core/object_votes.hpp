@@ -23,7 +23,25 @@ struct Votes {
   int established = 0, followed = 0, tested = 0, vanished = 0;
   int leaning = 0;  ///< rows that are dynamic or more likely so than not
 
-  void add(Label label, const RowClues& clues);
+  void add(Label label, const RowClues& clues) {
+    ++rows;
+    dynamic += label == Label::kDynamic;
+    is_static += label == Label::kStatic;
+    established += clues.established;
+    followed += clues.followed;
+    leaning += clues.leaning;
+  }
+  Votes& operator+=(const Votes& more) {
+    rows += more.rows;
+    dynamic += more.dynamic;
+    is_static += more.is_static;
+    established += more.established;
+    followed += more.followed;
+    leaning += more.leaning;
+    tested += more.tested;
+    vanished += more.vanished;
+    return *this;
+  }
   void add_vanish_test(bool row_vanished) {
     ++tested;
     vanished += row_vanished;

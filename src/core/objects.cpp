@@ -5,6 +5,18 @@
 #include "mapper_state.hpp"
 
 namespace stillmap {
+namespace {
+
+/// The cube of 1 m that a row lies in.
+BlockKey patch_cell(float x_m, float y_m, float z_m) {
+  const auto floor = [](float value) {  // std::floor is a call
+    const int whole = static_cast<int>(value);
+    return whole - (value < static_cast<float>(whole));
+  };
+  return {floor(x_m), floor(y_m), floor(z_m)};
+}
+
+}  // namespace
 
 void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                                     const ScanView& view) {
@@ -59,30 +71,42 @@ void Mapper::State::find_clues() {
 }
 
 void Mapper::State::count_votes() {
-  constexpr float kPatchM = 1.0F;
   object_votes.assign(clusters.count(), Votes{});
   patch_votes.clear();
   patch_of_row.resize(projected.size());
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> patches;
-  std::uint64_t last_key = 0;  // neighbouring rows mostly share a patch
-  std::uint32_t last_patch = 0;
+  // Neighbouring rows mostly share a patch: they are counted together.
+  struct Run {
+    std::int32_t object = Clusters::kNone;
+    std::uint64_t object_hash = 0, key = 0;
+    std::uint32_t patch = 0;
+    Votes votes;
+  } run;
+  const auto end_run = [&] {
+    if (run.votes.rows == 0) return;
+    object_votes[run.object] += run.votes;
+    patch_votes[run.patch] += run.votes;
+    run.votes = Votes{};
+  };
   for (std::size_t row = 0; row < projected.size(); ++row) {
     const std::int32_t object = clusters.of_row()[row];
     if (object == Clusters::kNone) continue;
-    const BlockKey cell(static_cast<int>(std::floor(upright.x_m[row] / kPatchM)),
-                        static_cast<int>(std::floor(upright.y_m[row] / kPatchM)),
-                        static_cast<int>(std::floor(upright.z_m[row] / kPatchM)));
-    const std::uint64_t key = packed(cell) ^ BlockKeyHash {}(static_cast<std::uint64_t>(object) + 1);
-    if (patch_votes.empty() || key != last_key) {
+    const bool same_object = object == run.object;
+    if (!same_object) run.object_hash = BlockKeyHash{}(static_cast<std::uint64_t>(object) + 1);
+    const std::uint64_t key =
+        packed(patch_cell(upright.x_m[row], upright.y_m[row], upright.z_m[row])) ^ run.object_hash;
+    if (!same_object || key != run.key) {
+      end_run();
       const auto [patch, created] = patches.try_emplace(key, static_cast<std::uint32_t>(patch_votes.size()));
       if (created) patch_votes.emplace_back();
-      last_patch = patch->second;
-      last_key = key;
+      run.object = object;
+      run.key = key;
+      run.patch = patch->second;
     }
-    patch_of_row[row] = last_patch;
-    object_votes[object].add(labels.label[row], clues[row]);
-    patch_votes[last_patch].add(labels.label[row], clues[row]);
+    patch_of_row[row] = run.patch;
+    run.votes.add(labels.label[row], clues[row]);
   }
+  end_run();
 }
 
 void Mapper::State::test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
