@@ -18,16 +18,28 @@ float quantile(std::vector<float>& values, double fraction) {
 /// `floor_rad`.
 std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const std::vector<float>& angle,
                                     const std::vector<float>& range_m, float bin_rad, float floor_rad) {
-  std::vector<std::pair<int, float>> sorted;
-  sorted.reserve(angle.size());
+  constexpr float kHalfTurn = 3.15F;  // no angle is larger
+  const int first_bin = static_cast<int>(std::floor(-kHalfTurn / bin_rad));
+  const auto bin_of = [&](std::size_t i) {
+    return static_cast<std::size_t>(static_cast<int>(std::floor(bin_angle[i] / bin_rad)) - first_bin);
+  };
+  std::vector<std::size_t> end(static_cast<std::size_t>(2 - 2 * first_bin),
+                               0);  // of each bin, among its angles
   for (std::size_t i = 0; i < angle.size(); ++i)
-    if (range_m[i] > 0) sorted.emplace_back(static_cast<int>(std::floor(bin_angle[i] / bin_rad)), angle[i]);
-  std::sort(sorted.begin(), sorted.end());
+    if (range_m[i] > 0) ++end[bin_of(i)];
+  for (std::size_t bin = 1; bin < end.size(); ++bin) end[bin] += end[bin - 1];
+  std::vector<float> sorted(end.back());
+  std::vector<std::size_t> begin = end;
+  for (std::size_t i = 0; i < angle.size(); ++i)
+    if (range_m[i] > 0) sorted[--begin[bin_of(i)]] = angle[i];
   std::vector<float> gaps;
   gaps.reserve(sorted.size());
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const float gap = sorted[i].second - sorted[i - 1].second;
-    if (sorted[i].first == sorted[i - 1].first && gap >= floor_rad) gaps.push_back(gap);
+  for (std::size_t bin = 0; bin < end.size(); ++bin) {
+    const auto of_bin = sorted.begin();
+    std::sort(of_bin + static_cast<std::ptrdiff_t>(begin[bin]),
+              of_bin + static_cast<std::ptrdiff_t>(end[bin]));
+    for (std::size_t i = begin[bin] + 1; i < end[bin]; ++i)
+      if (const float gap = sorted[i] - sorted[i - 1]; gap >= floor_rad) gaps.push_back(gap);
   }
   return gaps;
 }
