@@ -49,7 +49,6 @@ void Clusters::find(const ProjectedScan& scan, SensorGeometry geometry,
                         scan.elevation_min_rad, scan.elevation_max_rad);
   reach_per_m_ = 1.2F * std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
   place_rows(scan, use);
-  links_.resize(grid_.size());
   tbb::parallel_for(
       tbb::blocked_range<int>(0, grid_.columns, 64),
       [this](const tbb::blocked_range<int>& columns) { link_columns(columns.begin(), columns.end()); });
@@ -64,10 +63,7 @@ void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint
     for (std::size_t row = first; row < last; ++row)
       pixel_of_row_[row] = use[row] != 0 ? pixel_of_row_[row] : -1;
   });
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  nearest_.assign(grid_.size(), {kNaN, kNaN, kNaN, kInfinity, kNone});
-  column_used_.assign(static_cast<std::size_t>(grid_.columns), 0);
+  empty_columns();
   for (std::size_t row = 0; row < scan.size(); ++row) {
     if (pixel_of_row_[row] < 0) continue;
     column_used_[pixel_of_row_[row] / grid_.rows] = 1;
@@ -76,6 +72,22 @@ void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint
       nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row],
                  static_cast<std::int32_t>(row)};
   }
+}
+
+void Clusters::empty_columns() {
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr Return kNoReturn{kNaN, kNaN, kNaN, kInfinity, kNone};
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  if (nearest_.size() == grid_.size() && column_used_.size() == columns) {
+    for_each_used_pixel([&](std::size_t pixel) { nearest_[pixel] = kNoReturn; });
+  } else {
+    nearest_.assign(grid_.size(), kNoReturn);
+    links_.resize(grid_.size());
+    parent_.resize(grid_.size());
+    name_.resize(grid_.size());
+  }
+  column_used_.assign(columns, 0);
 }
 
 void Clusters::link_columns(int first, int last) {
@@ -127,9 +139,7 @@ inline void Clusters::join(std::int32_t a, std::int32_t b) {
 }
 
 void Clusters::join_links() {
-  parent_.resize(grid_.size());
-  for (std::size_t pixel = 0; pixel < parent_.size(); ++pixel)
-    parent_[pixel] = static_cast<std::int32_t>(pixel);
+  for_each_used_pixel([this](std::size_t pixel) { parent_[pixel] = static_cast<std::int32_t>(pixel); });
   for (int column = 0; column < grid_.columns; ++column) {
     if (column_used_[column] == 0) continue;
     std::array<std::int32_t, kSteps.size()> to;
@@ -139,7 +149,8 @@ void Clusters::join_links() {
       for (unsigned links = links_[column * grid_.rows + row]; links != 0; links &= links - 1)
         join(column * grid_.rows + row, to[__builtin_ctz(links)] + row);
   }
-  for (std::int32_t& parent : parent_) parent = parent_[parent];  // those before are roots by now
+  // Those before are roots by now.
+  for_each_used_pixel([this](std::size_t pixel) { parent_[pixel] = parent_[parent_[pixel]]; });
 }
 
 void Clusters::name_clusters(const ProjectedScan& scan) {
@@ -155,7 +166,7 @@ void Clusters::name_clusters(const ProjectedScan& scan) {
       if (linked) of_row_[row] = parent_[pixel];
     }
   });
-  name_.assign(grid_.size(), kNone);
+  for_each_used_pixel([this](std::size_t pixel) { name_[pixel] = kNone; });
   count_ = 0;
   for (std::int32_t& cluster : of_row_) {
     if (cluster == kNone) continue;

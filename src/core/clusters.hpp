@@ -38,11 +38,20 @@ class Clusters {
 
  private:
   void place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use);
+  void empty_columns();
   void link_columns(int first, int last);
   void join_links();
   void name_clusters(const ProjectedScan& scan);
   void join(std::int32_t a, std::int32_t b);
   std::int32_t root(std::int32_t pixel);
+
+  /// By ascending pixel.
+  template <class Work>
+  void for_each_used_pixel(Work&& work) const {
+    const auto rows = static_cast<std::size_t>(grid_.rows);
+    for (std::size_t column = 0; column < column_used_.size(); ++column)
+      for (std::size_t row = 0; column_used_[column] != 0 && row < rows; ++row) work(column * rows + row);
+  }
 
   struct Return {
     float x_m, y_m, z_m, range_m;
@@ -52,10 +61,11 @@ class Clusters {
   SphericalGrid grid_;
   float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
   std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
-  std::vector<Return> nearest_;             ///< of each pixel; NaN at infinity, row kNone where there is none
-  std::vector<std::uint8_t> column_used_;   ///< holds a return
-  std::vector<std::uint16_t> links_;        ///< of each pixel: to which of its neighbours it is connected
-  std::vector<std::int32_t> parent_;        ///< union-find over pixels; never more than the pixel itself
+  // By pixel; links, parents and names are kept up in used columns only.
+  std::vector<Return> nearest_;            ///< NaN at infinity, row kNone where there is none
+  std::vector<std::uint8_t> column_used_;  ///< holds a return
+  std::vector<std::uint16_t> links_;       ///< of each pixel: to which of its neighbours it is connected
+  std::vector<std::int32_t> parent_;       ///< union-find over pixels; never more than the pixel itself
   std::vector<std::int32_t> name_, of_row_;
   std::size_t count_ = 0;
 };

@@ -72,11 +72,10 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
     const bool may_support = age >= parameters.replay_support_min_age;
     for (std::size_t i = 0; i < batch.size; ++i) {
       if (batch.told[i] == 0) continue;
+      const bool support = batch.told[i] != ScanView::kConflict;
+      if (support && !may_support) continue;
       const FusedEvidence evidence =
           earlier.evidence(Spherical{batch.azimuth_rad[i], batch.elevation_rad[i], batch.range_m[i]}, models);
-      if (evidence.kind() == Evidence::kUnknown) continue;
-      const bool support = evidence.kind() == Evidence::kSupport;
-      if (support && !may_support) continue;
       float& factor = batch.conflict_factor[i];
       if (!support && factor <= 0) factor = replay_conflict_factor(voxel_of_row[batch.rows[i]]);
       const float weight = support ? 1.0F : factor * share.at(batch.range_m[i]);
