@@ -2,6 +2,9 @@
 // voxels or look-ups, as the name says.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
+#include <memory>
+
 #include "core/located_rows.hpp"
 #include "core/scan_view.hpp"
 #include "simulation/simulator.hpp"
@@ -95,6 +98,62 @@ void evidence_found(benchmark::State& state) {
   count_rows(state);
 }
 BENCHMARK(evidence_found);
+
+/// Keeps the time of one stage of the present scan.
+class StageClock : public StageListener {
+ public:
+  explicit StageClock(Stage stage) : stage_(stage) {}
+  void stage_ended(Stage stage) override {
+    const auto now = std::chrono::steady_clock::now();
+    if (stage == stage_) seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+  double seconds = 0;
+
+ private:
+  Stage stage_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// One stage of whole scans, driving down the street again and again.
+void stage_of_a_scan(benchmark::State& state, Stage stage) {
+  static const std::vector<Frame> frames = [] {
+    SimulationOptions options;
+    options.sensor = "hdl64";
+    options.scans = 30;
+    const Simulator simulator(options);
+    std::vector<Frame> all;
+    for (std::size_t k = 0; k < options.scans; ++k) all.push_back(simulator.frame(k).frame);
+    return all;
+  }();
+  constexpr std::size_t kWarmUp = 15;
+  StageClock clock(stage);
+  auto mapper = std::make_unique<Mapper>(Parameters{});
+  std::size_t k = 0;
+  for (auto _ : state) {
+    if (k == frames.size()) {
+      mapper = std::make_unique<Mapper>(Parameters{});
+      k = 0;
+    }
+    mapper->set_listener(&clock);
+    while (k < kWarmUp) {
+      mapper->process(frames[k].scan, frames[k].T_map_sensor);
+      ++k;
+    }
+    mapper->process(frames[k].scan, frames[k].T_map_sensor);
+    ++k;
+    state.SetIterationTime(clock.seconds);
+  }
+  count_rows(state);
+}
+void new_voxels_replayed(benchmark::State& state) {
+  stage_of_a_scan(state, Stage::kReplay);
+}
+BENCHMARK(new_voxels_replayed)->UseManualTime()->Iterations(45);
+void rows_decided(benchmark::State& state) {
+  stage_of_a_scan(state, Stage::kDecision);
+}
+BENCHMARK(rows_decided)->UseManualTime()->Iterations(45);
 
 void voxels_in_a_snapshot(benchmark::State& state) {
   Mapper mapper{Parameters{}};

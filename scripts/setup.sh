@@ -13,7 +13,7 @@ packages=(
   libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
   python3-sensor-msgs python3-std-srvs rosout
   # ROS 1: tests
-  librostest-dev python3-rostest python3-rosunit libgtest-dev
+  valgrind librostest-dev python3-rostest python3-rosunit libgtest-dev
   # Clients that the tests drive
   octomap-tools pcl-tools python3-dynamic-reconfigure python3-rostopic
   # Other libraries
