@@ -26,4 +26,4 @@ if [ "${ROLLING:-0}" = 1 ]; then
 else
   options=(--most-mb-per-km 60)
 fi
-"$stillmap" soak "$lap" --scans "$scans" "${options[@]}" --most-cost-ratio 1.1 --most-different-percent 0.5 "$@"
+"$stillmap" soak "$lap" --scans "$scans" "${options[@]}" --most-cost-ratio 1.1 --most-different-percent 2 "$@"
