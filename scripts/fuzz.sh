@@ -36,7 +36,7 @@ minimise() {
   local target=$1 least=$build/least/$1 corpus=fuzz/corpus/$1 bytes=0 file
   rm -rf "$least"
   mkdir -p "$least"
-  "$programs/${target}_fuzz" -merge=1 "${limits[@]}" "$least" "$corpus" "$build/work/$target" \
+  "$programs/${target}_fuzz" -merge=1 "${limits[@]}" -artifact_prefix="$build/found/${target}_" "$least" "$corpus" "$build/work/$target" \
     >>"$build/logs/$target.log" 2>&1
   find "$corpus" -type f ! -name 'found_*' -delete
   while read -r file; do
