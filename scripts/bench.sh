@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 export PATH=/usr/bin:$PATH
 
 bash scripts/setup.sh libbenchmark-dev
-cmake -S . -B build-bench -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_BENCH=ON
+cmake -S . -B build-bench -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=ON -DSTILLMAP_BUILD_BENCH=ON
 cmake --build build-bench -j"$(nproc)" --target micro_bench pipeline_bench stage_instructions
 programs=build-bench/devel/lib/stillmap
 mkdir -p bench_output
