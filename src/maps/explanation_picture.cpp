@@ -10,6 +10,7 @@ namespace {
 constexpr double kSlice_m = 0.5;    ///< half the height of what is drawn of the map
 constexpr double kAround_m = 8;     ///< of the map, at least
 constexpr double kFarthest_m = 40;  ///< rays are cut there
+constexpr int kPixelsOfVoxel = 3;
 constexpr Rgb kBackground = {255, 255, 255}, kPlace = {0, 0, 0}, kStanding = {150, 156, 166},
               kUndecided = {240, 176, 0}, kMoving = {150, 0, 90}, kThrough = {226, 60, 50},
               kHit = {0, 160, 70}, kHidden = {200, 204, 210};
@@ -55,14 +56,22 @@ void draw_line(const Eigen::Vector2i& from, const Eigen::Vector2i& to, Rgb color
   }
 }
 
+void fill(const Eigen::Vector2i& middle, const Eigen::Vector2i& half, Rgb color, Picture& picture) {
+  for (int row = std::max(0, middle.y() - half.y());
+       row <= std::min(picture.height() - 1, middle.y() + half.y()); ++row)
+    for (int column = std::max(0, middle.x() - half.x());
+         column <= std::min(picture.width() - 1, middle.x() + half.x()); ++column)
+      picture.at(column, row) = color;
+}
+
+/// Black on a white edge, open in the middle.
 void draw_cross(const Eigen::Vector2i& at, Picture& picture) {
-  constexpr int kArm = 6;
-  for (int i = -kArm; i <= kArm; ++i)
-    for (const Eigen::Vector2i& pixel :
-         {Eigen::Vector2i(at.x() + i, at.y()), Eigen::Vector2i(at.x(), at.y() + i)})
-      if (std::abs(i) > 1 && (pixel.array() >= 0).all() && pixel.x() < picture.width() &&
-          pixel.y() < picture.height())
-        picture.at(pixel.x(), pixel.y()) = kPlace;
+  constexpr int kOpen = 4, kArm = 6, kEdge = 2;
+  for (const int edge : {kEdge, 0})
+    for (const Eigen::Vector2i& way : {Eigen::Vector2i(1, 0), Eigen::Vector2i(0, 1)})
+      for (const int side : {-1, 1})
+        fill(at + side * (kOpen + kArm) * way, kArm * way + Eigen::Vector2i(edge + 1, edge + 1) - way,
+             edge > 0 ? kBackground : kPlace, picture);
 }
 
 void draw_map(const MapSnapshot& map, double z_m, const Eigen::AlignedBox2d& extent_m, const TopView& view,
@@ -70,8 +79,8 @@ void draw_map(const MapSnapshot& map, double z_m, const Eigen::AlignedBox2d& ext
   for (const SnapshotVoxel& voxel : map.voxels) {
     const Eigen::Vector3d center = voxel.center.cast<double>();
     if (std::abs(center.z() - z_m) > kSlice_m || !extent_m.contains(center.head<2>())) continue;
-    const Eigen::Vector2i pixel = view.pixel(center.head<2>());
-    picture.at(pixel.x(), pixel.y()) = color_of(voxel.label);
+    constexpr int kHalf = kPixelsOfVoxel / 2;
+    fill(view.pixel(center.head<2>()), {kHalf, kHalf}, color_of(voxel.label), picture);
   }
 }
 
@@ -86,7 +95,7 @@ std::string save_explanation_picture(const Explanation& explanation, const MapSn
     extent_m.extend(ray.from);
     extent_m.extend(ray.to);
   }
-  const TopView view(extent_m, map.voxel_size_m);
+  const TopView view(extent_m, map.voxel_size_m / kPixelsOfVoxel);
   Picture picture = view.blank(kBackground);
   for (const Evidence kind : {Evidence::kOcclusion, Evidence::kSupport, Evidence::kConflict})
     for (const Ray& ray : rays)

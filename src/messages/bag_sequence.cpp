@@ -57,7 +57,7 @@ BagSequence::BagSequence(const std::string& file, const BagInput& input)
   open_for_reading(bag_, file);
   cloud_topic_ = choose_topic(bag_, input.cloud_topic, "sensor_msgs/PointCloud2", "--cloud-topic");
   const std::string odom_topic = choose_topic(bag_, input.odom_topic, "nav_msgs/Odometry", "--odom-topic");
-  pair_clouds(cloud_topic_, read_poses(odom_topic));
+  pair_clouds(input, read_poses(odom_topic));
 }
 
 template <class Read>
@@ -87,13 +87,15 @@ PoseBuffer BagSequence::read_poses(const std::string& topic) {
   return poses;
 }
 
-void BagSequence::pair_clouds(const std::string& topic, const PoseBuffer& poses) {
+void BagSequence::pair_clouds(const BagInput& input, const PoseBuffer& poses) {
+  const std::string& topic = cloud_topic_;
   cloud_view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(topic));
   std::map<std::int64_t, std::size_t> cloud_at;
   std::vector<std::uint8_t> buffer;
   for (const rosbag::MessageInstance& message : *cloud_view_) {
     cloud_at.emplace(named([&] { return stamp_ns_of(message, buffer); }), clouds_.size());
     clouds_.push_back(message);
+    if (input.progress) input.progress(clouds_.size(), cloud_view_->size());
   }
   if (cloud_at.size() < clouds_.size())
     warnings_.push_back(topic + ": " + std::to_string(clouds_.size() - cloud_at.size()) +

@@ -4,6 +4,7 @@
 #include <rosbag/message_instance.h>
 #include <rosbag/view.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct BagInput {
   std::string cloud_topic;
   std::string odom_topic;
   PairingOptions pairing;
+  /// Told while the bag is opened, which takes long for a large one.
+  std::function<void(std::size_t done, std::size_t clouds)> progress = {};
 };
 
 /// The clouds of a bag that have a pose, in the order of their stamps. Opening reads every stamp and pose
@@ -32,6 +35,7 @@ class BagSequence : public Sequence {
   Frame read(std::size_t index) override;
 
   const std::string& cloud_topic() const { return cloud_topic_; }
+  std::int64_t stamp_ns(std::size_t index) const { return entries_.at(index).stamp_ns; }
   /// Place of a frame's cloud among all clouds of the topic, in the bag's order.
   std::size_t cloud_of(std::size_t index) const { return entries_.at(index).cloud; }
 
@@ -48,7 +52,7 @@ class BagSequence : public Sequence {
   template <class Read>
   auto named(Read&& read) const;
   PoseBuffer read_poses(const std::string& topic);
-  void pair_clouds(const std::string& topic, const PoseBuffer& poses);
+  void pair_clouds(const BagInput& input, const PoseBuffer& poses);
 
   std::string file_, cloud_topic_;
   PairingOptions pairing_;

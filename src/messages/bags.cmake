@@ -5,8 +5,9 @@ add_library(stillmap_bags
   bag_records.cpp
   bag_sequence.cpp
   bag_topics.cpp
-  mapped_file.cpp
-  bag_writer.cpp)
+  bag_writer.cpp
+  lidars_in_bag.cpp
+  mapped_file.cpp)
 target_link_libraries(stillmap_bags PUBLIC
   stillmap_messages ${rosbag_storage_LIBRARIES} ${roscpp_serialization_LIBRARIES}
   PRIVATE BZip2::BZip2 ${roslz4_LIBRARIES})

@@ -50,10 +50,12 @@ std::string wrapped(std::string text) {
 
 Marker words(const Explanation& explanation, const std::string& frame_id) {
   Marker words = marker(frame_id, 1, Marker::TEXT_VIEW_FACING);
-  words.pose.position = to_point(explanation.place_map_m + Eigen::Vector3d(0, 0, 1.2));
-  words.scale.z = 0.3;
+  words.scale.z = 0.6;
   words.color = color(1, 1, 1);
   words.text = wrapped(in_words(explanation));
+  const auto lines = 1 + std::count(words.text.begin(), words.text.end(), '\n');
+  const Eigen::Vector3d above(0, 0, 1 + 0.5 * words.scale.z * static_cast<double>(lines));
+  words.pose.position = to_point(explanation.place_map_m + above);
   return words;
 }
 

@@ -11,6 +11,19 @@
 #include "messages/map_messages.hpp"
 
 namespace stillmap {
+namespace {
+
+/// Says what it did; the mapper is as it was when this throws std::runtime_error.
+std::string go_on_with(Mapper& mapper, const MapContents& map, const std::string& path) {
+  try {
+    mapper.load_map(map);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  return path + ": goes on with its " + std::to_string(mapper.voxel_count()) + " voxels";
+}
+
+}  // namespace
 
 PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, const MapDirectory& directory,
                    std::function<std::string()> fixed_frame)
@@ -23,9 +36,11 @@ PriorMap::PriorMap(ros::NodeHandle private_nh, SharedMapper& shared, const MapDi
 }
 
 bool PriorMap::on_load_map(LoadMap::Request& request, LoadMap::Response& response) {
-  const std::lock_guard lock(shared_.mutex);
   try {
-    response.message = load_map(shared_.mapper, directory_.file_inside(request.path));
+    const std::string path = directory_.file_inside(request.path);
+    const MapContents map = read_map_archive(path);
+    const std::lock_guard lock(shared_.mutex);
+    response.message = go_on_with(shared_.mapper, map, path);
     response.success = true;
   } catch (const std::exception& error) {
     response.message = error.what();
@@ -62,22 +77,12 @@ bool PriorMap::on_diff_map(DiffMap::Request& request, DiffMap::Response& respons
   return true;
 }
 
-std::string load_map(Mapper& mapper, const std::string& path) {
-  const MapContents map = read_map_archive(path);
-  try {
-    mapper.load_map(map);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(path + ": " + error.what());
-  }
-  return path + ": goes on with its " + std::to_string(mapper.voxel_count()) + " voxels";
-}
-
 void resume(Mapper& mapper, const std::string& load_path, const std::string& save_path) {
   if (load_path.empty()) return;
   if (load_path == save_path && !std::filesystem::exists(load_path))
     ROS_INFO_STREAM("load_map: " << load_path << " is not there yet; a new map begins");
   else
-    ROS_INFO_STREAM("load_map: " << load_map(mapper, load_path));
+    ROS_INFO_STREAM("load_map: " << go_on_with(mapper, read_map_archive(load_path), load_path));
 }
 
 }  // namespace stillmap

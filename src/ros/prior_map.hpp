@@ -33,9 +33,6 @@ class PriorMap {
   ros::ServiceServer load_map_, diff_map_;
 };
 
-/// Goes on with a saved map and says so; the mapper is as it was when this throws std::runtime_error.
-std::string load_map(Mapper& mapper, const std::string& path);
-
 /// At the start: goes on with a saved map. One that is to be saved under the same name may not be there yet.
 void resume(Mapper& mapper, const std::string& load_path, const std::string& save_path);
 

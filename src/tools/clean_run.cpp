@@ -2,6 +2,7 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -24,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Labels of the clouds that have a pose, by their place among the topic's clouds.
+/// Labels of the clouds that have a pose, by their topic and their place among its clouds.
 class LabelledClouds {
  public:
-  LabelledClouds(BagSequence& sequence, const Parameters& parameters, const CleanJob& job)
+  LabelledClouds(LidarsInBag& sequence, const Parameters& parameters, const CleanJob& job)
       : sequence_(sequence),
         job_(job),
         far_tiles_(open_tile_folder(parameters, say)),
@@ -38,12 +39,14 @@ class LabelledClouds {
     for (std::size_t k = 0; k < sequence.size(); ++k, progress.advance()) {
       const Frame frame = sequence.read(k);
       store_.append(mapper_.process(frame.scan, frame.T_map_sensor));
-      frame_of_cloud_[sequence.cloud_of(k)] = k;
+      const LidarsInBag::Cloud cloud = sequence.cloud_of(k);
+      frame_of_cloud_[{cloud.topic, cloud.number}] = k;
     }
   }
 
-  ScanLabels of(std::size_t cloud, const sensor_msgs::PointCloud2& message) {
-    const auto found = frame_of_cloud_.find(cloud);
+  /// Of the next cloud of a topic.
+  ScanLabels next(const std::string& topic, const sensor_msgs::PointCloud2& message) {
+    const auto found = frame_of_cloud_.find({topic, clouds_seen_[topic]++});
     if (found == frame_of_cloud_.end()) return all_uncertain(message);
     const ScanLabels labels = store_.read(found->second);
     if (job_.online) return labels;
@@ -66,12 +69,13 @@ class LabelledClouds {
             std::vector<Reason>(rows, Reason::kNeverJudged)};
   }
 
-  BagSequence& sequence_;
+  LidarsInBag& sequence_;
   const CleanJob& job_;
   std::unique_ptr<TileFolder> far_tiles_;
   Mapper mapper_;
   LabelStore store_;
-  std::map<std::size_t, std::size_t> frame_of_cloud_;
+  std::map<std::pair<std::string, std::size_t>, std::size_t> frame_of_cloud_;
+  std::map<std::string, std::size_t> clouds_seen_;
 };
 
 /// Writes messages as they are, or a cloud in its place: same topic, time and connection.
@@ -120,22 +124,21 @@ class BagCopy {
   LabelTotals totals_;
 };
 
-void copy_bag(const std::string& topic, LabelledClouds& labels, const CleanJob& job, const std::string& file,
-              LabelTotals& totals) {
+void copy_bag(const std::vector<std::string>& topics, LabelledClouds& labels, const CleanJob& job,
+              const std::string& file, LabelTotals& totals) {
   rosbag::Bag in;
   open_for_reading(in, job.in);
   rosbag::View view(in);
   BagCopy out(file, job);
   ProgressBar progress("writing", view.size());
-  std::size_t cloud = 0;
   for (const rosbag::MessageInstance& message : view) {
-    const bool chosen = message.getTopic() == topic;
+    const bool chosen = std::find(topics.begin(), topics.end(), message.getTopic()) != topics.end();
     const sensor_msgs::PointCloud2ConstPtr points =
         chosen ? read_message<sensor_msgs::PointCloud2>(message) : nullptr;
     if (points == nullptr)
       out.keep(message);
     else
-      out.clean(message, *points, labels.of(cloud++, *points));
+      out.clean(message, *points, labels.next(message.getTopic(), *points));
     progress.advance();
   }
   totals = out.totals();
@@ -148,19 +151,20 @@ void require_another_file(const std::string& in, const std::string& out) {
     throw std::runtime_error(out + ": is the bag that is read; name another file for OUT");
 }
 
-void clean_bag(BagSequence& sequence, const Parameters& parameters, const CleanJob& job) {
+void clean_bag(LidarsInBag& sequence, const Parameters& parameters, const CleanJob& job) {
   LabelledClouds labels(sequence, parameters, job);
   LabelTotals totals;
   write_atomically(job.out, [&](const std::string& file) {
     try {
-      copy_bag(sequence.cloud_topic(), labels, job, file, totals);
+      copy_bag(sequence.cloud_topics(), labels, job, file, totals);
     } catch (const rosbag::BagException& error) {
       throw std::runtime_error(job.out + ": the bag cannot be copied: " + error.what());
     }
   });
-  std::cout << job.out << ": " << sequence.cloud_topic() << ", " << totals.scans << " clouds, "
-            << totals.counts.is_static << " static, " << totals.counts.dynamic << " dynamic and "
-            << totals.counts.uncertain << " uncertain points\n";
+  std::cout << job.out << ":";
+  for (const std::string& topic : sequence.cloud_topics()) std::cout << ' ' << topic;
+  std::cout << ", " << totals.scans << " clouds, " << totals.counts.is_static << " static, "
+            << totals.counts.dynamic << " dynamic and " << totals.counts.uncertain << " uncertain points\n";
 }
 
 }  // namespace stillmap

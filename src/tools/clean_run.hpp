@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "messages/bag_sequence.hpp"
+#include "messages/lidars_in_bag.hpp"
 #include "stillmap/parameters.hpp"
 
 namespace stillmap {
@@ -20,8 +20,8 @@ struct CleanJob {
 /// Throws std::runtime_error when both are the same file.
 void require_another_file(const std::string& in, const std::string& out);
 
-/// Labels the sequence's clouds and copies its bag, atomically, message by message; clouds without a pose are
+/// Labels the LiDARs' clouds and copies its bag, atomically, message by message; clouds without a pose are
 /// uncertain as a whole. Throws std::runtime_error on input or output that does not work.
-void clean_bag(BagSequence& sequence, const Parameters& parameters, const CleanJob& job);
+void clean_bag(LidarsInBag& sequence, const Parameters& parameters, const CleanJob& job);
 
 }  // namespace stillmap

@@ -18,7 +18,9 @@ void SequenceOptions::add_to(CLI::App& command) {
 
 void SequenceOptions::add_bag_options_to(CLI::App& command) {
   const std::string group = "Bags";
-  command.add_option("--cloud-topic", cloud_topic, "PointCloud2 topic; not needed when the bag has one")
+  command
+      .add_option("--cloud-topic", cloud_topic,
+                  "PointCloud2 topic; not needed when the bag has one. Several LiDARs: \"/front /rear\"")
       ->capture_default_str()
       ->group(group);
   command.add_option("--odom-topic", odom_topic, "Odometry topic; not needed when the bag has one")
@@ -31,7 +33,7 @@ void SequenceOptions::add_bag_options_to(CLI::App& command) {
   command
       .add_option("--sensor-on-body", sensor_on_body,
                   "The sensor's place on the body that the odometry is of: x y z roll_deg pitch_deg yaw_deg, "
-                  "or x y z qx qy qz qw")
+                  "or x y z qx qy qz qw; of several LiDARs one for each, with ; between")
       ->capture_default_str()
       ->group(group);
 }

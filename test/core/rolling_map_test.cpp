@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <map>
 #include <random>
 
 #include "core/tile_packing.hpp"
+#include "core/tiles_in_a_table.hpp"
 #include "core/voxel_reader.hpp"
 #include "simulation/simulator.hpp"
 #include "stillmap/mapper.hpp"
@@ -15,24 +15,6 @@
 
 namespace stillmap {
 namespace {
-
-class TilesInATable : public TileStore {
- public:
-  void put(const TileKey& key, Tile tile) override { tiles_[packed_tile(key)] = {key, std::move(tile)}; }
-  Tile get(const TileKey& key) override {
-    const auto it = tiles_.find(packed_tile(key));
-    return it == tiles_.end() ? Tile{} : it->second.second;
-  }
-  std::vector<TileKey> keys() const override {
-    std::vector<TileKey> keys;
-    for (const auto& [packed_key, entry] : tiles_) keys.push_back(entry.first);
-    return keys;
-  }
-  void clear() override { tiles_.clear(); }
-
- private:
-  std::map<std::uint64_t, std::pair<TileKey, Tile>> tiles_;
-};
 
 bool same(const BlockContents& a, const BlockContents& b) {
   return a.key == b.key && a.porous == b.porous && a.occupied == b.occupied &&

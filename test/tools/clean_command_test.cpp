@@ -147,6 +147,30 @@ TEST_F(CleanCommandTest, LabelsAreFieldsOfTheCloud) {
   }
 }
 
+/// Every second cloud is of another LiDAR.
+TEST_F(CleanCommandTest, SeveralLidarsAreCleanedTogether) {
+  const std::string two = folder().path("two.bag");
+  {
+    rosbag::Bag from(in()), to(two, rosbag::bagmode::Write);
+    std::size_t clouds = 0;
+    for (const rosbag::MessageInstance& message : rosbag::View(from)) {
+      const bool is_rear = message.getTopic() == kTopic && clouds++ % 2 == 1;
+      to.write(is_rear ? "/rear" : message.getTopic(), message.getTime(), message,
+               message.getConnectionHeader());
+    }
+  }
+  const CommandResult result =
+      run_command(STILLMAP_EXECUTABLE, "clean " + two + " " + out + " --cloud-topic '" + kTopic +
+                                           " /rear' --sensor-on-body '0 0 0 0 0 0; 0 0 0 0 0 0'");
+  ASSERT_EQ(result.status, 0) << result.output;
+  EXPECT_NE(result.output.find(kTopic + " /rear, 26 clouds"), std::string::npos) << result.output;
+  const Recording before(two), after(out);
+  for (const std::string& topic : {kTopic, std::string("/rear")}) {
+    EXPECT_LT(after.count(topic).moving, before.count(topic).moving / 3) << topic;
+    EXPECT_GT(after.count(topic).standing, before.count(topic).standing * 98 / 100) << topic;
+  }
+}
+
 TEST_F(CleanCommandTest, RefusesToWriteOverItsInputAndKeepsAnOldFileWhenItFails) {
   CommandResult result = run_command(STILLMAP_EXECUTABLE, "clean " + in() + " " + in());
   EXPECT_EQ(result.status, 1);
