@@ -152,8 +152,8 @@ void Mapper::State::decide_by_vote() {
     Reason reason = patch_votes[patch_of_row[row]].verdict(kPatchStatic);
     if (reason == Reason::kMixedEvidence) reason = object_votes[object].verdict(kObjectStatic);
     if (reason == Reason::kMixedEvidence) continue;
-    if (just_static && reason != Reason::kReplacedVanished && !object_votes[object].moves_as_a_whole())
-      continue;
+    const bool follows = parameters.follow_objects && object_votes[object].moves_as_a_whole();
+    if (just_static && reason != Reason::kReplacedVanished && !follows) continue;
     settle(row, reason);
   }
 }
