@@ -13,8 +13,8 @@ namespace stillmap {
 /// What a method says of each row of a scan.
 struct PointVerdicts {
   std::vector<Label> label;
-  std::vector<float> p_static;  ///< NaN = never judged; empty when the method knows no probability
-  std::vector<Reason> reason;   ///< empty when the method gives none
+  std::vector<float> p_static;      ///< NaN = never judged; empty when the method knows no probability
+  std::vector<Reason> reason = {};  ///< empty when the method gives none
 };
 
 /// A way to take moving things out of a sequence of scans: add() every scan, finish(), then ask.
