@@ -27,16 +27,16 @@ cmake --build $build -j "$(nproc)" --target "${targets[@]/%/_fuzz}"
 limits=(-rss_limit_mb=1500 -malloc_limit_mb=600 -timeout=60 -detect_leaks=0 -print_final_stats=1)
 mkdir -p $build/found $build/logs
 fuzz() {
-  local target=$1 work=$build/work/$1
-  mkdir -p "$work"
+  local target=$1 inputs=$build/inputs/$1
+  mkdir -p "$inputs"
   nice -n 19 "$programs/${target}_fuzz" "${limits[@]}" -max_total_time="$seconds" \
-    -artifact_prefix="$build/found/${target}_" "$work" "fuzz/corpus/$target" >"$build/logs/$target.log" 2>&1 || true
+    -artifact_prefix="$build/found/${target}_" "$inputs" "fuzz/corpus/$target" >"$build/logs/$target.log" 2>&1 || true
 }
 minimise() {
   local target=$1 least=$build/least/$1 corpus=fuzz/corpus/$1 bytes=0 file
   rm -rf "$least"
   mkdir -p "$least"
-  "$programs/${target}_fuzz" -merge=1 "${limits[@]}" -artifact_prefix="$build/found/${target}_" "$least" "$corpus" "$build/work/$target" \
+  "$programs/${target}_fuzz" -merge=1 "${limits[@]}" -artifact_prefix="$build/found/${target}_" "$least" "$corpus" "$build/inputs/$target" \
     >>"$build/logs/$target.log" 2>&1
   find "$corpus" -type f ! -name 'found_*' -delete
   while read -r file; do

@@ -20,13 +20,13 @@ debootstrap --variant=minbase bookworm "$root" "${DEBIAN_MIRROR:-http://deb.debi
 echo "127.0.0.1 localhost" >"$root/etc/hosts"
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
-cp "$package" test/install/demo_answers.py "$root/root/"
+cp "$package" test/install/demo_answers.py "$root/srv/"
 start=$SECONDS
 chroot "$root" apt-get update -qq
 chroot "$root" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -qq -y --no-install-recommends "/root/$(basename "$package")" >/dev/null
+  apt-get install -qq -y --no-install-recommends "/srv/$(basename "$package")" >/dev/null
 echo "installed with $(chroot "$root" dpkg-query -f '.\n' -W | wc -l) packages in all, in $((SECONDS - start)) s"
 chroot "$root" stillmap --version
-chroot "$root" env ROS_HOSTNAME=localhost /usr/bin/python3 /root/demo_answers.py
+chroot "$root" env ROS_HOSTNAME=localhost /usr/bin/python3 /srv/demo_answers.py
 chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get remove -qq -y stillmap >/dev/null
 [ -z "$(chroot "$root" find /usr -name '*stillmap*')" ]
