@@ -13,7 +13,7 @@ cmake --build build-bench -j"$(nproc)" --target micro_bench pipeline_bench stage
 programs=build-bench/devel/lib/stillmap
 mkdir -p bench_output
 "$programs/micro_bench" | tee bench_output/micro.txt
-if perf stat -e instructions:u true 2>&1 | grep -q '^ *[0-9]'; then
+if perf stat -e instructions:u true 2>&1 | grep '^ *[0-9]' >/dev/null; then
   perf stat -e instructions:u -o bench_output/instructions.txt "$programs/pipeline_bench" "${1:-60}" |
     tee bench_output/pipeline.txt
   grep instructions bench_output/instructions.txt | tee -a bench_output/pipeline.txt

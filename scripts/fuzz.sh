@@ -48,7 +48,7 @@ minimise() {
 row() {
   local log=$build/logs/$1.log found
   found=$(find $build/found -name "$1_*" | wc -l)
-  printf '| %s | %s | %s | %s | %d |\n' "$1" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | head -1)" \
+  printf '| %s | %s | %s | %s | %d |\n' "$1" "$(sed -n '/^stat::number_of_executed_units: */{s///p;q}' "$log")" \
     "$(grep -oE 'cov: [0-9]+' "$log" | sed 's/cov: //' | sort -n | tail -1)" \
     "$(find "fuzz/corpus/$1" -type f | wc -l)" "$found"
 }
