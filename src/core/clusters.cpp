@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "for_rows.hpp"
@@ -153,17 +154,40 @@ void Clusters::join_links() {
   for_each_used_pixel([this](std::size_t pixel) { parent_[pixel] = parent_[parent_[pixel]]; });
 }
 
+// A return that the nearest one of its pixel hides, at an edge, goes with what it touches in the pixels
+// around.
+std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::size_t row) const {
+  constexpr int kAround = 2;
+  const auto distance_m2 = [&](std::int32_t pixel) {
+    const Return& there = nearest_[pixel];
+    const float dx = there.x_m - scan.x_m[row], dy = there.y_m - scan.y_m[row],
+                dz = there.z_m - scan.z_m[row];
+    const bool linked = together(dx, dy, dz, std::min(there.range_m, scan.range_m[row]), reach_per_m_);
+    return linked ? dx * dx + (dy * dy + dz * dz) : std::numeric_limits<float>::infinity();
+  };
+  const std::int32_t own = pixel_of_row_[row];
+  if (std::isfinite(distance_m2(own))) return own;
+  const int own_column = own / grid_.rows, own_row = own % grid_.rows;
+  const int low = std::max(0, own_row - kAround), high = std::min(grid_.rows - 1, own_row + kAround);
+  std::int32_t closest = kNone;
+  float closest_m2 = std::numeric_limits<float>::infinity();
+  for (int column = own_column - kAround; column <= own_column + kAround; ++column)
+    for (int r = low; r <= high; ++r) {
+      const std::int32_t pixel = (column + grid_.columns) % grid_.columns * grid_.rows + r;
+      const float m2 = distance_m2(pixel);
+      if (m2 < closest_m2) closest_m2 = m2, closest = pixel;
+    }
+  return closest;
+}
+
 void Clusters::name_clusters(const ProjectedScan& scan) {
   of_row_.resize(scan.size());
   for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t row = first; row < last; ++row) {
-      const std::int32_t pixel = pixel_of_row_[row];
       of_row_[row] = kNone;
-      if (pixel < 0) continue;
-      const Return& nearest = nearest_[pixel];
-      const bool linked = together(nearest.x_m - scan.x_m[row], nearest.y_m - scan.y_m[row],
-                                   nearest.z_m - scan.z_m[row], nearest.range_m, reach_per_m_);
-      if (linked) of_row_[row] = parent_[pixel];
+      if (pixel_of_row_[row] < 0) continue;
+      const std::int32_t surface = surface_of(scan, row);
+      if (surface != kNone) of_row_[row] = parent_[surface];
     }
   });
   for_each_used_pixel([this](std::size_t pixel) { name_[pixel] = kNone; });

@@ -41,6 +41,7 @@ class Clusters {
   void empty_columns();
   void link_columns(int first, int last);
   void join_links();
+  std::int32_t surface_of(const ProjectedScan& scan, std::size_t row) const;
   void name_clusters(const ProjectedScan& scan);
   void join(std::int32_t a, std::int32_t b);
   std::int32_t root(std::int32_t pixel);

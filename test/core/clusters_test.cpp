@@ -63,6 +63,22 @@ TEST(Clusters, ADepthEdgeParts) {
   EXPECT_EQ(clusters.count(), 2U);
 }
 
+TEST(Clusters, AReturnHiddenInItsPixelGoesWithWhatItTouches) {
+  Scan scan = kSensor.scan([](float azimuth, float) { return azimuth > 0 ? 10.0F : 14.0F; });
+  const std::size_t first_hidden =
+      scan.points.size();  // of the far wall, a little behind the near one's edge
+  for (int ring = 8; ring < 56; ++ring) {
+    const float elevation = (-22.5F + static_cast<float>(ring) * kSensor.spacing_deg()) * kRad;
+    scan.points.emplace_back(14 * direction(0.2F * kSensor.step_deg() * kRad, elevation));
+  }
+  const ProjectedScan p = projected(scan);
+  Clusters clusters;
+  clusters.find(p, kGeometry, all_usable(p));
+  ASSERT_EQ(clusters.count(), 2U);
+  const std::int32_t far_wall = clusters.of_row()[0];
+  for (std::size_t row = first_hidden; row < p.size(); ++row) EXPECT_EQ(clusters.of_row()[row], far_wall);
+}
+
 TEST(Clusters, RowsThatTakeNoPartHaveNone) {
   const Scan scan = plates({{-16, -6}, {6, 16}});
   const ProjectedScan p = projected(scan);
