@@ -104,6 +104,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "an object of which at least half leans towards moving moves, though hardly a point of it is decided");
   flag("take_feet_along", p.take_feet_along,
        "what rises a little above the ground right below something that moves goes with it");
+  flag("take_insides_along", p.take_insides_along,
+       "what is seen for the first time through the windows of a moving vehicle goes with it");
 
   number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
          "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");

@@ -72,6 +72,7 @@ struct Parameters {
   double speck_size_m = 0.3;
   bool lean_together = true;
   bool take_feet_along = true;
+  bool take_insides_along = true;
 
   // The experiment's structure gates (section 2.1); 0 switches a gate off.
   int gate_voxel_support = 0;

@@ -37,9 +37,6 @@ void Mapper::State::note_mover(std::size_t row) {
 bool Mapper::State::belongs_to_mover(std::int32_t row) const {
   const std::int32_t object = clusters.of_row()[row];
   if (object == Clusters::kNone) return false;
-  const auto moves = [](Reason verdict) {
-    return verdict == Reason::kObjectMoves || verdict == Reason::kReplacedVanished;
-  };
   return moves(object_votes[object].verdict(kObjectStatic)) ||
          moves(patch_votes[patch_of_row[row]].verdict(kPatchStatic));
 }

@@ -15,6 +15,7 @@
 #include "ground.hpp"
 #include "located_rows.hpp"
 #include "object_votes.hpp"
+#include "outline.hpp"
 #include "probability_table.hpp"
 #include "rolling_map.hpp"
 #include "scan_history.hpp"
@@ -96,9 +97,11 @@ struct Mapper::State {
   std::vector<float> height_above_ground_m;  ///< by row
   Clusters clusters, moving_pieces;
   std::vector<Votes> object_votes, patch_votes;
-  std::vector<std::uint32_t> patch_of_row;      ///< where a row has a cluster
-  std::vector<RowClues> clues;                  ///< by row
-  std::vector<std::uint8_t> takes_part;         ///< by row, for Clusters
+  std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
+  std::vector<RowClues> clues;              ///< by row
+  std::vector<std::uint8_t> takes_part;     ///< by row, for Clusters
+  std::vector<Outline> vehicles;            ///< that move
+  std::vector<int> vehicle_of_object, rows_inside;
   std::vector<std::uint8_t> moves_near_column;  ///< of clusters: something moves there or in the next one
 
   // mapper.cpp
@@ -223,6 +226,12 @@ struct Mapper::State {
   void decide_by_vote();
   void settle(std::size_t row, Reason reason);
   void defer_specks();
+
+  // insides.cpp
+  static constexpr int kNoVehicle = -1;
+  void take_insides_along();
+  void find_vehicles();
+  bool in_a_vehicle(std::size_t row) const;
 
   // feet.cpp
   void take_feet_along();

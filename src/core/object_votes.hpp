@@ -54,4 +54,8 @@ struct Votes {
   bool moves_as_a_whole() const;
 };
 
+inline bool moves(Reason verdict) {
+  return verdict == Reason::kObjectMoves || verdict == Reason::kReplacedVanished;
+}
+
 }  // namespace stillmap

@@ -28,6 +28,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   test_vanished(scan, T_map_sensor, view);
   decide_by_vote();
   defer_specks();
+  if (parameters.take_insides_along) take_insides_along();
   remember_moving();
   if (parameters.take_feet_along) take_feet_along();
 }
