@@ -14,9 +14,9 @@
 
 namespace stillmap {
 
-/// The stages of process(), for whoever measures them.
-enum class Stage { kRangeImage, kInsertion, kEvidence, kReplay, kDecision, kObjects };
-inline constexpr int kStageCount = 6;
+/// The stages of process(), for whoever measures them. Evidence that no label of the scan needs is in upkeep.
+enum class Stage { kRangeImage, kInsertion, kEvidence, kReplay, kDecision, kObjects, kUpkeep };
+inline constexpr int kStageCount = 7;
 const char* to_string(Stage stage);
 
 /// The core has no clock: a listener may keep one.
@@ -41,6 +41,11 @@ class Mapper {
   /// finite, not rigid or out of the map's reach; the map then is as it was. The result is valid until the
   /// next call.
   const ScanLabels& process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  /// process() in two steps, for whoever passes the labels on in between: label() says what process() says,
+  /// upkeep() then brings up to date what no label of this scan depends on. What looks at the map, the next
+  /// label() included, does the upkeep itself where it is still due: results are the same.
+  const ScanLabels& label(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  void upkeep();
 
   /// Judges the points of an earlier scan by the map as it is now. `online` is what process() said then.
   ScanLabels relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanLabels& online) const;
@@ -92,6 +97,7 @@ class Mapper {
 
  private:
   struct State;
+  State& up_to_date() const;  ///< after upkeep()
   std::unique_ptr<State> state_;
 };
 

@@ -35,24 +35,16 @@ STILLMAP_VECTOR_CLONES void see(std::size_t n, const std::uint32_t* __restrict p
   }
 }
 
-STILLMAP_VECTOR_CLONES void except_new(std::size_t n, const Voxel* voxels, int* __restrict told) {
-  for (std::size_t i = 0; i < n; ++i) told[i] = voxels[i].age == 0 ? 0 : told[i];
-}
-
-STILLMAP_VECTOR_CLONES void except_hits(std::size_t n, const Voxel* voxels, int* __restrict told) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const int beside = voxels[i].idle == 0 ? BlockProjection::kHit : told[i];
-    told[i] = voxels[i].age == 0 ? 0 : beside;
-  }
-}
-
 }  // namespace
 
-void BlockProjection::project(const VoxelBlock& block, const Eigen::Vector3f& corner_sensor_m,
+void BlockProjection::project(const VoxelBlock& block, Asked asked, const Eigen::Vector3f& corner_sensor_m,
                               const ScanView& view, float voxel_m) {
   size_ = 0;
-  block.for_each([this](int place, const Voxel& voxel) {
-    packed_[size_++] = static_cast<std::uint32_t>(place) << 15 | voxel.surface;
+  std::uint16_t rank = 0;
+  block.for_each([&](int place, const Voxel& voxel) {
+    packed_[size_] = static_cast<std::uint32_t>(place) << 15 | voxel.surface;
+    rank_[size_] = rank++;
+    size_ += asked == Asked::kNotHit ? voxel.idle > 0 : asked == Asked::kKnown ? voxel.age > 0 : 1;
   });
   std::fill_n(packed_ + size_, kLanes, 0U);
   see(whole_lanes(), packed_, corner_sensor_m, view.R_sensor_map * voxel_m, azimuth_rad_, elevation_rad_,
@@ -61,20 +53,6 @@ void BlockProjection::project(const VoxelBlock& block, const Eigen::Vector3f& co
 
 void BlockProjection::find_told(const ScanView& view, const std::vector<LevelModel>& models) {
   view.find_told(whole_lanes(), azimuth_rad_, elevation_rad_, range_m_, models, told_);
-  list_told();
-}
-
-void BlockProjection::find_told_beside_hits(const VoxelBlock& block, bool hit_is_support,
-                                            const ScanView& view, const std::vector<LevelModel>& models) {
-  view.find_told(whole_lanes(), azimuth_rad_, elevation_rad_, range_m_, models, told_);
-  if (hit_is_support)
-    except_hits(size_, &block.stored(0), told_);
-  else
-    except_new(size_, &block.stored(0), told_);
-  list_told();
-}
-
-void BlockProjection::list_told() {
   told_size_ = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     told_at_[told_size_] = static_cast<std::uint16_t>(i);

@@ -11,16 +11,14 @@ namespace stillmap {
 /// The voxels of one block as a scan sees them: where their surfaces lie, and what it tells about them.
 class BlockProjection {
  public:
+  /// Which voxels of a block that the scan hit are asked about: those known before, those that it did not
+  /// hit.
+  enum class Asked { kAll, kKnown, kNotHit };
   /// `corner_sensor_m` is the block's low corner.
-  void project(const VoxelBlock& block, const Eigen::Vector3f& corner_sensor_m, const ScanView& view,
-               float voxel_m);
+  void project(const VoxelBlock& block, Asked asked, const Eigen::Vector3f& corner_sensor_m,
+               const ScanView& view, float voxel_m);
   /// Sorts out the voxels that the scan supports or contradicts.
   void find_told(const ScanView& view, const std::vector<LevelModel>& models);
-  /// The same for a block that the scan hit: new voxels are left out, and where a hit is support by itself,
-  /// voxels that were hit are not asked about: kHit.
-  static constexpr int kHit = -1;
-  void find_told_beside_hits(const VoxelBlock& block, bool hit_is_support, const ScanView& view,
-                             const std::vector<LevelModel>& models);
 
   /// Calls support(rank, says) for each voxel that it supports, conflict(place, rank, seen) for each that it
   /// contradicts; see ScanView::find_told().
@@ -29,10 +27,10 @@ class BlockProjection {
     for (std::size_t k = 0; k < told_size_; ++k) {
       const std::size_t i = told_at_[k];
       if (told_[i] == ScanView::kConflict)
-        conflict(static_cast<int>(packed_[i] >> 15), static_cast<int>(i),
+        conflict(static_cast<int>(packed_[i] >> 15), static_cast<int>(rank_[i]),
                  Spherical{azimuth_rad_[i], elevation_rad_[i], range_m_[i]});
       else
-        support(static_cast<int>(i), told_[i]);
+        support(static_cast<int>(rank_[i]), told_[i]);
     }
   }
 
@@ -41,11 +39,11 @@ class BlockProjection {
   static constexpr std::size_t kMost = kBlockVolume + kLanes;
 
   std::size_t whole_lanes() const { return (size_ + kLanes - 1) / kLanes * kLanes; }
-  void list_told();
 
-  // By rank of the voxel.
+  // One for each voxel that is asked about, by rank.
   std::size_t size_ = 0, told_size_ = 0;
   std::uint32_t packed_[kMost];  ///< place and surface
+  std::uint16_t rank_[kMost];
   float azimuth_rad_[kMost], elevation_rad_[kMost], range_m_[kMost];
   int told_[kMost];
   std::uint16_t told_at_[kMost];  ///< the voxels about which the scan tells

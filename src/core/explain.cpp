@@ -36,7 +36,7 @@ FoundVoxel voxel_near(const RollingMap& rolling, std::uint32_t scan, const Eigen
 }  // namespace
 
 Explanation Mapper::explain(const Eigen::Vector3d& point_map_m) const {
-  const State& s = *state_;
+  const State& s = up_to_date();
   Explanation explanation;
   explanation.asked_map_m = explanation.place_map_m = point_map_m;
   explanation.newest_stamp_ns = s.stamp_ns;

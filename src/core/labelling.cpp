@@ -58,8 +58,9 @@ void Mapper::State::calibrate() {
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
   constexpr double kOffSurfaceM = 0.02;
-  State& s = *state_;  // the map stays what it is; the tiles around the scan are opened
-  s.rolling.move_to(T_map_sensor.translation(), s.scan_count);
+  State& s = up_to_date();  // the map stays what it is; the tiles around the scan are opened
+  s.rolling.move_to(T_map_sensor.translation());
+  s.rolling.leave(T_map_sensor.translation(), s.scan_count);
   const GateSettings gate_values = gate_settings(s.parameters);
   const auto gates =
       gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;

@@ -19,13 +19,13 @@ PlacedVoxel moved(const PlacedVoxel& placed, const Eigen::Isometry3d& T_new_old,
 }  // namespace
 
 TrajectoryCorrection Mapper::correct_trajectory(const std::vector<StampedPose>& corrected) {
-  State& s = *state_;
+  State& s = up_to_date();
   s.require_submaps();
   return s.correct(s.submaps.trajectory().correction(corrected));
 }
 
 TrajectoryCorrection Mapper::correct_newest_pose(const Eigen::Isometry3d& T_new_old) {
-  State& s = *state_;
+  State& s = up_to_date();
   s.require_submaps();
   return s.correct(s.submaps.trajectory().spread(T_new_old, s.submaps.corrected_until_ns));
 }
@@ -149,15 +149,14 @@ void Mapper::State::judge_again(const ScanView& view, const CoarseView& coarse, 
   });
 }
 
-void Mapper::State::remember_for_corrections(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
-                                             const ScanView& view) {
+void Mapper::State::remember_for_corrections(const ScanView& view, const Eigen::Isometry3d& T_map_sensor) {
   std::vector<VoxelKey> born;
   born.reserve(new_voxels.size());
   for (const std::uint32_t row : new_voxels) {
     const VoxelRef& voxel = voxel_of_row[row];
     born.push_back(voxel_key(map.block(voxel.block).key(), static_cast<int>(voxel.place)));
   }
-  submaps.add({scan.stamp_ns, T_map_sensor}, scan.sensor == 0, view, born, VoxelReader(rolling, scan_count));
+  submaps.add({view.stamp_ns, T_map_sensor}, view.sensor == 0, view, born, VoxelReader(rolling, scan_count));
 }
 
 }  // namespace stillmap

@@ -6,18 +6,46 @@
 namespace stillmap {
 
 // Blocks own their voxels and read only what no other block writes: any order gives the same map.
-void Mapper::State::apply_evidence(const ScanView& view) {
-  for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
+//
+// A return is support by itself, so that labels need nothing else of the present scan; where it is not, they
+// need what its image says of the blocks that it hit.
+void Mapper::State::apply_evidence_to_hits(const ScanView& view) {
+  if (!every_voxel_is_judged) return apply_evidence_to_nearest(view);
+  for_each_hit_block([&](const HitBlock& hit) {
+    if (parameters.hit_is_support)
+      support_hits(*hit.block);
+    else
+      judge_hit_block(view, *hit.block);
+  });
+}
+
+void Mapper::State::apply_evidence_to_others(const ScanView& view) {
+  if (!every_voxel_is_judged) return;
+  if (parameters.hit_is_support)
+    for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
   map.find_near(view.origin_map_m, reach_m(), near_tiles);
   const CoarseView coarse(view, models);
   tbb::parallel_for(std::size_t{0}, near_tiles.size(),
                     [&](std::size_t i) { judge_tile(view, coarse, *near_tiles[i]); });
 }
 
+void Mapper::State::support_hits(VoxelBlock& block) const {
+  for (std::size_t rank = 0; rank < block.size(); ++rank) {
+    Voxel& voxel = block.stored(static_cast<int>(rank));
+    if (voxel.idle == 0 && voxel.age > 0)
+      support(voxel, support_tables.of_hit(voxel));  // replay judges new ones
+  }
+}
+
 void Mapper::State::judge_hit_block(const ScanView& view, VoxelBlock& block) {
+  judge_block(view, block,
+              parameters.hit_is_support ? BlockProjection::Asked::kNotHit : BlockProjection::Asked::kKnown);
+}
+
+void Mapper::State::judge_block(const ScanView& view, VoxelBlock& block, BlockProjection::Asked asked) {
   BlockProjection seen;
-  project_block(view, block, seen);
-  seen.find_told_beside_hits(block, parameters.hit_is_support, view, models);  // replay judges the new ones
+  seen.project(block, asked, corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
+  seen.find_told(view, models);
   judge(view, block, seen);
 }
 
@@ -37,16 +65,8 @@ void Mapper::State::judge_tile(const ScanView& view, const CoarseView& coarse, c
     if (i + kAhead < in_view.size()) map.block(in_view[i + kAhead]).prefetch_voxels();
     VoxelBlock& block = map.block(in_view[i]);
     if (block.hit_scan == scan_count) continue;
-    BlockProjection seen;
-    project_block(view, block, seen);
-    seen.find_told(view, models);
-    judge(view, block, seen);
+    judge_block(view, block, BlockProjection::Asked::kAll);
   }
-}
-
-void Mapper::State::project_block(const ScanView& view, const VoxelBlock& block,
-                                  BlockProjection& seen) const {
-  seen.project(block, corner_of(block.key(), view), view, static_cast<float>(map.voxel_size_m()));
 }
 
 Eigen::Vector3f Mapper::State::corner_of(const BlockKey& key, const ScanView& view) const {
@@ -60,16 +80,11 @@ void Mapper::State::judge(const ScanView& view, VoxelBlock& block, const BlockPr
   };
   std::vector<Conflict> conflicts;
   CellMask seen_through = 0;
-  seen.for_each_told(
-      [&](int rank, int says) {
-        Voxel& voxel = block.stored(rank);
-        const bool is_hit = says == BlockProjection::kHit;
-        support(voxel, is_hit ? support_tables.of_hit(voxel) : support_tables.of_rank(says));
-      },
-      [&](int place, int rank, const Spherical& here) {
-        conflicts.push_back({place, rank, here});
-        seen_through |= cell_bit(place);
-      });
+  seen.for_each_told([&](int rank, int says) { support(block.stored(rank), support_tables.of_rank(says)); },
+                     [&](int place, int rank, const Spherical& here) {
+                       conflicts.push_back({place, rank, here});
+                       seen_through |= cell_bit(place);
+                     });
   if (conflicts.empty()) return;
   const CellMask surface = near_standing_surface(block.key(), seen_through);
   constexpr int kEmpty = 8;  // scans that saw through it: no leaf hides for so long

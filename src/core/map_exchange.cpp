@@ -6,7 +6,7 @@
 namespace stillmap {
 
 MapSnapshotPtr Mapper::snapshot() const {
-  const State& s = *state_;
+  const State& s = up_to_date();
   auto snapshot = std::make_shared<MapSnapshot>();
   snapshot->stamp_ns = s.stamp_ns;
   snapshot->voxel_size_m = s.map.voxel_size_m();
@@ -18,7 +18,7 @@ MapSnapshotPtr Mapper::snapshot() const {
 }
 
 MapContents Mapper::export_map() const {
-  const State& s = *state_;
+  const State& s = up_to_date();
   MapContents contents{s.stamp_ns, s.map.voxel_size_m(), {}};
   for (const TileKey& key : tiles())
     for (BlockContents& block : export_tile(key)) contents.blocks.push_back(std::move(block));
@@ -26,10 +26,11 @@ MapContents Mapper::export_map() const {
 }
 
 std::vector<TileKey> Mapper::tiles() const {
-  return state_->rolling.tiles();
+  return up_to_date().rolling.tiles();
 }
 std::vector<BlockContents> Mapper::export_tile(const TileKey& key) const {
-  return state_->rolling.contents(key, state_->scan_count);
+  const State& s = up_to_date();
+  return s.rolling.contents(key, s.scan_count);
 }
 
 void Mapper::State::require_importable(const MapContents& contents) const {
@@ -49,7 +50,7 @@ void Mapper::load_map(const MapContents& contents) {
 }
 
 void Mapper::import_map(const MapContents& contents) {
-  State& s = *state_;
+  State& s = up_to_date();
   s.require_importable(contents);
   s.rolling.import(contents.blocks, s.scan_count);
   s.stamp_ns = std::max(s.stamp_ns, contents.stamp_ns);

@@ -25,7 +25,7 @@ Eigen::AlignedBox3d box_of(const BlockKey& block, double block_size_m) {
 }  // namespace
 
 std::size_t Mapper::clear_box(const Eigen::AlignedBox3d& box_map_m) {
-  return state_->edit_box(box_map_m, [](Voxel&) { return false; });
+  return up_to_date().edit_box(box_map_m, [](Voxel&) { return false; });
 }
 
 std::size_t Mapper::relabel_box(const Eigen::AlignedBox3d& box_map_m, Label label) {
@@ -35,7 +35,7 @@ std::size_t Mapper::relabel_box(const Eigen::AlignedBox3d& box_map_m, Label labe
   const double log_odds = label == Label::kStatic    ? p.log_odds_max
                           : label == Label::kDynamic ? p.log_odds_min
                                                      : 0.0;
-  return state_->edit_box(box_map_m, [=](Voxel& voxel) {
+  return up_to_date().edit_box(box_map_m, [=](Voxel& voxel) {
     voxel.set_log_odds(static_cast<float>(log_odds));
     return true;
   });

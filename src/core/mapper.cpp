@@ -1,9 +1,8 @@
 #include "stillmap/mapper.hpp"
 
 #include <algorithm>
-#include <sstream>
-#include <stdexcept>
 
+#include "mapper_checks.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -29,37 +28,6 @@ FusedEvidence hit_evidence(const std::vector<LevelModel>& models) {
   return hit;
 }
 
-void require_valid(const Parameters& parameters) {
-  const std::vector<std::string> found = problems(parameters);
-  if (found.empty()) return;
-  std::ostringstream text;
-  for (const std::string& problem : found) text << (text.tellp() > 0 ? "; " : "") << problem;
-  throw std::invalid_argument(text.str());
-}
-
-void require_usable(const Eigen::Isometry3d& T_map_sensor, double voxel_size_m) {
-  const Eigen::Matrix3d R = T_map_sensor.linear();
-  if (!T_map_sensor.matrix().allFinite())
-    throw std::invalid_argument("T_map_sensor: not finite; the scan is not used");
-  if (!(R * R.transpose()).isIdentity(1e-3) || R.determinant() < 0)
-    throw std::invalid_argument("T_map_sensor: its rotation is not a rotation matrix; the scan is not used");
-  const double reach_m = kVoxelKeyLimit * voxel_size_m;
-  if (T_map_sensor.translation().cwiseAbs().maxCoeff() > reach_m) {
-    std::ostringstream text;
-    text << "T_map_sensor: (" << T_map_sensor.translation().transpose()
-         << ") m is farther from the origin than the " << reach_m
-         << " m that a map of this voxel_size_m reaches; the scan is not used. Has the odometry failed?";
-    throw std::invalid_argument(text.str());
-  }
-}
-
-void require_sensor(int sensor) {
-  constexpr int kMostSensors = 16;
-  if (sensor < 0 || sensor >= kMostSensors)
-    throw std::invalid_argument("scan of sensor " + std::to_string(sensor) + ": number them from 0 to " +
-                                std::to_string(kMostSensors - 1) + "; the scan is not used");
-}
-
 }  // namespace
 
 Mapper::State::State(const Parameters& p)
@@ -83,19 +51,26 @@ Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
+  const ScanLabels& labels = label(scan, T_map_sensor);
+  upkeep();
+  return labels;
+}
+
+const ScanLabels& Mapper::label(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
   require_sensor(scan.sensor);
-  State& s = *state_;
-  require_usable(T_map_sensor, s.parameters.voxel_size_m);
+  require_usable(T_map_sensor, parameters().voxel_size_m);
+  State& s = up_to_date();
   ++s.scan_count;
   ++s.revision;
   s.go_on_to(scan.stamp_ns);
   s.arena.execute([&] {
-    ScanView view = s.view_of(scan, T_map_sensor);  // I_O at all levels, eq. (2)
+    s.awaits_upkeep.emplace(LabelledScan{s.view_of(scan, T_map_sensor), T_map_sensor});
+    const ScanView& view = s.awaits_upkeep->view;  // I_O at all levels, eq. (2)
     s.ended(Stage::kRangeImage);
-    s.rolling.move_to(T_map_sensor.translation(), s.scan_count);
+    s.rolling.move_to(T_map_sensor.translation());
     s.insert(T_map_sensor);
     s.ended(Stage::kInsertion);
-    s.evidence_of(view);  // eq. (2) to (8) for the voxels known before
+    s.apply_evidence_to_hits(view);  // eq. (2) to (8) for the voxels known before that this scan hit
     s.ended(Stage::kEvidence);
     s.replay_history(T_map_sensor);  // the same for the new ones, with earlier scans
     s.ended(Stage::kReplay);
@@ -104,10 +79,29 @@ const ScanLabels& Mapper::process(const Scan& scan, const Eigen::Isometry3d& T_m
     if (s.parameters.resolve_objects) s.resolve_objects(scan, T_map_sensor, view);
     if (s.parameters.calibrate_p_static) s.calibrate();
     s.ended(Stage::kObjects);
-    if (s.submaps.enabled()) s.remember_for_corrections(scan, T_map_sensor, view);
-    s.sensor(scan.sensor).history.add(std::move(view));
   });
   return s.labels;
+}
+
+void Mapper::upkeep() {
+  up_to_date();
+}
+
+Mapper::State& Mapper::up_to_date() const {
+  if (state_->awaits_upkeep) state_->upkeep();
+  return *state_;
+}
+
+void Mapper::State::upkeep() {
+  arena.execute([this] {
+    ScanView& view = awaits_upkeep->view;
+    apply_evidence_to_others(view);  // eq. (2) to (8) for the voxels that no row of the scan lies in
+    if (submaps.enabled()) remember_for_corrections(view, awaits_upkeep->T_map_sensor);
+    rolling.leave(view.origin_map_m, scan_count);
+    sensors[view.sensor].history.add(std::move(view));
+  });
+  awaits_upkeep.reset();
+  ended(Stage::kUpkeep);
 }
 
 SensorState& Mapper::State::sensor(int index) {
@@ -141,13 +135,6 @@ ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map
   view.stamp_ns = scan.stamp_ns;
   view.sensor = static_cast<std::size_t>(scan.sensor);
   return view;
-}
-
-void Mapper::State::evidence_of(const ScanView& view) {
-  if (every_voxel_is_judged)
-    apply_evidence(view);
-  else
-    apply_evidence_to_nearest(view);
 }
 
 std::size_t Mapper::voxel_count() const {

@@ -6,6 +6,7 @@
 #include <tsl/robin_set.h>
 
 #include <functional>
+#include <optional>
 
 #include "beam_share.hpp"
 #include "block_projection.hpp"
@@ -16,6 +17,7 @@
 #include "located_rows.hpp"
 #include "object_votes.hpp"
 #include "outline.hpp"
+#include "present_scan.hpp"
 #include "probability_table.hpp"
 #include "rolling_map.hpp"
 #include "scan_history.hpp"
@@ -28,23 +30,6 @@
 #include "support_table.hpp"
 
 namespace stillmap {
-
-/// Where a row of the scan lies in the map.
-struct VoxelRef {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-  std::uint32_t block = kNone;
-  std::uint16_t place = 0;  ///< in the block
-  std::uint16_t rank = 0;   ///< of the voxel among the block's stored ones, in the present scan
-  bool exists() const { return block != kNone; }
-};
-
-/// A block that this scan hit. Its rows are rows_by_block[first_row + 0 .. row_count - 1]; those that made a
-/// voxel are new_rows[first_row + 0 .. new_count - 1].
-struct HitBlock {
-  VoxelBlock* block;
-  std::uint32_t index;  ///< of the block in the map
-  std::uint32_t first_row = 0, row_count = 0, new_count = 0;
-};
 
 /// What is kept of each LiDAR.
 struct SensorState {
@@ -79,6 +64,8 @@ struct Mapper::State {
   std::uint64_t revision = 0;
   float settling_step = 0;  ///< of log-odds, in the present scan
 
+  std::optional<LabelledScan> awaits_upkeep;  ///< the present scan, until upkeep() is through with it
+
   // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
   SensorGeometry beams;
   ProjectedScan projected;
@@ -112,7 +99,7 @@ struct Mapper::State {
   }
   void go_on_to(std::int64_t next_stamp_ns);
   ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
-  void evidence_of(const ScanView& view);
+  void upkeep();
   /// No return, and no voxel that a return says something about, lies in a block whose corner is farther.
   double reach_m() const { return parameters.max_range_m + 2 * map.block_size_m(); }
   void ended(Stage stage) {
@@ -142,10 +129,12 @@ struct Mapper::State {
   }
 
   // map_evidence.cpp: every voxel compares its own range with I_O
-  void apply_evidence(const ScanView& view);
+  void apply_evidence_to_hits(const ScanView& view);
+  void apply_evidence_to_others(const ScanView& view);
+  void support_hits(VoxelBlock& block) const;
   void judge_hit_block(const ScanView& view, VoxelBlock& block);
   void judge_tile(const ScanView& view, const CoarseView& coarse, const BlockTile& tile);
-  void project_block(const ScanView& view, const VoxelBlock& block, BlockProjection& seen) const;
+  void judge_block(const ScanView& view, VoxelBlock& block, BlockProjection::Asked asked);
   void judge(const ScanView& view, VoxelBlock& block, const BlockProjection& seen);
   Eigen::Vector3f corner_of(const BlockKey& key, const ScanView& view) const;
   void support(Voxel& voxel, const SupportTable& table) const;
@@ -197,8 +186,7 @@ struct Mapper::State {
 
   // loop_closure.cpp: the map as submaps that a corrected trajectory moves; only with submap_length_m
   using StandingCells = tsl::robin_map<std::uint64_t, CellMask, BlockKeyHash>;  ///< by packed block key
-  void remember_for_corrections(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
-                                const ScanView& view);
+  void remember_for_corrections(const ScanView& view, const Eigen::Isometry3d& T_map_sensor);
   void require_submaps() const;
   TrajectoryCorrection correct(const PastCorrection& correction);
   void move_submaps(const PastCorrection& correction);

@@ -31,19 +31,18 @@ double RollingMap::distance_m(const TileKey& key, const Eigen::Vector3d& origin_
   return (origin_map_m.head<2>().array() - nearest).matrix().norm();
 }
 
-void RollingMap::move_to(const Eigen::Vector3d& origin_map_m, std::uint32_t scan) {
+void RollingMap::move_to(const Eigen::Vector3d& origin_map_m) {
   ++moves_;
-  open_near(origin_map_m);
-  close_left(scan);
-  if (memory_m_ > 0) move_away(origin_map_m);
-}
-
-void RollingMap::open_near(const Eigen::Vector3d& origin_map_m) {
   map_.for_each_tile_near(origin_map_m, open_m_, [&](const TileKey& key) {
     const auto [tile, is_new] = open_.try_emplace(packed_tile(key), OpenTile{key, moves_});
     tile.value().near_move = moves_;
     if (is_new) open(key);
   });
+}
+
+void RollingMap::leave(const Eigen::Vector3d& origin_map_m, std::uint32_t scan) {
+  close_left(scan);
+  if (memory_m_ > 0) move_away(origin_map_m);
 }
 
 void RollingMap::open(const TileKey& key) {

@@ -24,8 +24,10 @@ class RollingMap {
   void set_store(TileStore* store) { store_ = store; }
   TileStore* store() const { return store_; }
 
-  /// Before `scan` from there: afterwards the VoxelMap holds all that was ever seen within open_m.
-  void move_to(const Eigen::Vector3d& origin_map_m, std::uint32_t scan);
+  /// Before a scan from there: afterwards the VoxelMap holds all that was ever seen within open_m.
+  void move_to(const Eigen::Vector3d& origin_map_m);
+  /// After `scan` from there: tiles that were left long ago are put out of the way.
+  void leave(const Eigen::Vector3d& origin_map_m, std::uint32_t scan);
 
   std::vector<TileKey> tiles() const;  ///< those in memory, in a fixed order
   /// A tile in memory as of `scan`; empty when it is not there.
@@ -58,7 +60,6 @@ class RollingMap {
 
   std::vector<TileKey> tiles_anywhere() const;
   double distance_m(const TileKey& key, const Eigen::Vector3d& origin_map_m) const;
-  void open_near(const Eigen::Vector3d& origin_map_m);
   void open(const TileKey& key);
   void close_left(std::uint32_t scan);
   void move_away(const Eigen::Vector3d& origin_map_m);

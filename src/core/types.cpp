@@ -60,6 +60,8 @@ const char* to_string(Stage stage) {
       return "decision";
     case Stage::kObjects:
       return "objects";
+    case Stage::kUpkeep:
+      return "upkeep";
   }
   return "?";
 }

@@ -47,7 +47,8 @@ ScanPairing::ScanPairing(const PairingOptions& options)
 ScanPairing::ScanPairing(const PairingOptions& options, const PoseSource& poses)
     : options_(options), odometry_(options.max_gap_s, kOdometryKept), poses_(poses) {}
 
-void ScanPairing::add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+void ScanPairing::add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud,
+                            std::chrono::steady_clock::time_point arrived) {
   if (cloud->data.size() > options_.max_cloud_bytes) {
     drop("too_large", "it has " + std::to_string(cloud->data.size()) + " bytes");
     return;
@@ -63,7 +64,7 @@ void ScanPairing::add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
     return;
   }
   newest_cloud_ns_ = std::max(newest_cloud_ns_.value_or(stamp_ns), stamp_ns);
-  clouds_[stamp_ns] = cloud;
+  clouds_[stamp_ns] = {cloud, arrived};
   make_room();
 }
 
@@ -79,7 +80,7 @@ std::optional<PairedScan> ScanPairing::next() {
     const auto oldest = clouds_.begin();
     const PoseAnswer answer = pose_of(oldest);
     if (answer.kind == PoseAnswer::Kind::kWait) return std::nullopt;
-    const sensor_msgs::PointCloud2ConstPtr cloud = oldest->second;
+    const Waiting waiting = oldest->second;
     last_taken_ns_ = oldest->first;
     clouds_.erase(oldest);
     if (answer.kind == PoseAnswer::Kind::kNever) {
@@ -87,7 +88,9 @@ std::optional<PairedScan> ScanPairing::next() {
       continue;
     }
     try {
-      return to_paired_scan(cloud, answer.T_map_body, options_);
+      PairedScan paired = to_paired_scan(waiting.cloud, answer.T_map_body, options_);
+      paired.arrived = waiting.arrived;
+      return paired;
     } catch (const std::runtime_error& error) {
       drop("unreadable", error.what());
       throw;
@@ -101,7 +104,7 @@ std::string ScanPairing::waiting_for() const {
 }
 
 PoseAnswer ScanPairing::pose_of(Clouds::const_iterator cloud) const {
-  return poses_.at(cloud->first, cloud->second->header.frame_id);
+  return poses_.at(cloud->first, cloud->second.cloud->header.frame_id);
 }
 
 void ScanPairing::make_room() {

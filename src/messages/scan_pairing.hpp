@@ -4,6 +4,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -21,6 +22,7 @@ struct PairedScan {
   sensor_msgs::PointCloud2ConstPtr cloud;
   Scan scan;  ///< in the sensor frame
   Eigen::Isometry3d T_map_sensor = Eigen::Isometry3d::Identity();
+  std::chrono::steady_clock::time_point arrived;  ///< the cloud, as ScanPairing was told
 };
 
 /// The cloud's points brought into the sensor frame, in double precision. Throws as to_scan() does.
@@ -45,7 +47,8 @@ class ScanPairing {
   ScanPairing(const ScanPairing&) = delete;
   ScanPairing& operator=(const ScanPairing&) = delete;
 
-  void add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void add_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud,
+                 std::chrono::steady_clock::time_point arrived = {});
   /// Throws std::invalid_argument on a pose that is not finite or not of unit length; it then is not used.
   void add_odometry(const nav_msgs::Odometry& odometry);
 
@@ -67,7 +70,11 @@ class ScanPairing {
   void set_drop_listener(DropListener listener) { listener_ = std::move(listener); }
 
  private:
-  using Clouds = std::map<std::int64_t, sensor_msgs::PointCloud2ConstPtr>;
+  struct Waiting {
+    sensor_msgs::PointCloud2ConstPtr cloud;
+    std::chrono::steady_clock::time_point arrived;
+  };
+  using Clouds = std::map<std::int64_t, Waiting>;
   void drop(const std::string& reason, const std::string& text, std::size_t clouds = 1);
   void restart(const std::string& text);
   void make_room();

@@ -35,6 +35,8 @@ void NodeDiagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& out) {
   dropped_before_ = dropped;
   out.add("scans", status_.scans);
   out.add("voxels", status_.voxels);
+  out.add("latency_ms", status_.latency_ms);
+  out.add("label_ms", status_.label_ms);
   out.add("process_ms", status_.process_ms);
   for (std::size_t i = 0; i < status_.stage_ms.size(); ++i)
     out.add("process_ms: " + status_.stages[i], status_.stage_ms[i]);

@@ -58,11 +58,12 @@ void ScanInput::add_lidar(ros::NodeHandle& nh, const std::string& topic, const P
 }
 
 void ScanInput::on_cloud(Lidar& lidar, const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  const auto arrived = Clock::now();
   const std::lock_guard lock(mutex_);
-  lidar.silence.heard(Clock::now());
+  lidar.silence.heard(arrived);
   cloud_frame_id_ = without_leading_slash(cloud->header.frame_id);
-  if (lidar.pairing->waiting() == 0) lidar.last_taken = Clock::now();
-  lidar.pairing->add_cloud(cloud);
+  if (lidar.pairing->waiting() == 0) lidar.last_taken = arrived;
+  lidar.pairing->add_cloud(cloud, arrived);
   arrived_.notify_one();
 }
 

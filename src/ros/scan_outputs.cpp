@@ -34,7 +34,7 @@ ScanOutputs::ScanOutputs(ros::NodeHandle private_nh, int resolved_delay)
   if (resolved_delay > 0) resolved_ = private_nh.advertise<sensor_msgs::PointCloud2>("resolved", kQueue);
 }
 
-void ScanOutputs::publish(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels) {
+void ScanOutputs::publish(const PairedScan& paired, const ScanLabels& labels) {
   const sensor_msgs::PointCloud2& cloud = *paired.cloud;
   publish_if_wanted(static_, [&] { return select_rows(cloud, labels, Label::kStatic); });
   publish_if_wanted(dynamic_, [&] { return select_rows(cloud, labels, Label::kDynamic); });
@@ -42,6 +42,9 @@ void ScanOutputs::publish(const Mapper& mapper, const PairedScan& paired, const 
     return select_rows(cloud, labels, {Label::kUncertain, Label::kInvalid});
   });
   publish_if_wanted(labelled_, [&] { return add_label_fields(cloud, labels); });
+}
+
+void ScanOutputs::publish_resolved(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels) {
   if (resolved_.getNumSubscribers() == 0)  // of no topic, none
     delayed_.clear();
   else if (const auto settled = delayed_.add(mapper, paired, labels))

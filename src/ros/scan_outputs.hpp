@@ -17,8 +17,10 @@ class ScanOutputs {
  public:
   /// `resolved_delay` in scans; 0 = no ~resolved.
   ScanOutputs(ros::NodeHandle private_nh, int resolved_delay);
-  /// After mapper.process() of the scan, whose labels these are.
-  void publish(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels);
+  /// The scan at its own time.
+  void publish(const PairedScan& paired, const ScanLabels& labels);
+  /// After mapper.process() of the scan, whose labels these are: the one that is now resolved.
+  void publish_resolved(const Mapper& mapper, const PairedScan& paired, const ScanLabels& labels);
   /// When no scan follows: the resolved ones that still wait.
   void publish_waiting(const Mapper& mapper);
   void publish(const Status& status);

@@ -15,6 +15,10 @@ void warn(const std::string& message) {
   ROS_WARN_STREAM(message);
 }
 
+double milliseconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
 std::size_t judged(const LabelCounts& counts) {
   return counts.uncertain + counts.is_static + counts.dynamic;
 }
@@ -75,12 +79,17 @@ void StillmapRos::process(const PairedScan& paired) {
     begin_anew_after_jump(paired.scan);
     corrections_.apply(shared_.mapper, paired.scan.stamp_ns, input_.fixed_frame());
     stage_timer_.start();
-    const ScanLabels& labels = shared_.mapper.process(paired.scan, paired.T_map_sensor);
-    const double process_ms = std::chrono::duration<double, std::milli>(Clock::now() - last_scan_).count();
-    outputs_.publish(shared_.mapper, paired, labels);
+    const ScanLabels& labels = shared_.mapper.label(paired.scan, paired.T_map_sensor);
+    status_.label_ms = stage_timer_.total_ms();
+    outputs_.publish(paired, labels);
+    status_.latency_ms = milliseconds(Clock::now() - paired.arrived);
     outputs_.publish(paired.cloud->header, paired.T_map_sensor, input_.fixed_frame());
     moving_boxes_.publish(shared_.mapper, paired, input_.fixed_frame());
-    report(paired, labels, process_ms);
+    stage_timer_.go_on();
+    shared_.mapper.upkeep();
+    status_.process_ms = stage_timer_.total_ms();
+    outputs_.publish_resolved(shared_.mapper, paired, labels);
+    report(paired, labels);
     doctor_.look_at(paired, labels);
   } catch (const std::exception& error) {  // the worker must outlive a scan that it cannot take
     log_.warn("process", settings_.node.cloud_topic + ": a scan is left out: " + error.what());
@@ -97,7 +106,7 @@ void StillmapRos::begin_anew_after_jump(const Scan& scan) {
   last_stamp_ns_ = {{scan.sensor, scan.stamp_ns}};  // those of other LiDARs are still from before
 }
 
-void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, double process_ms) {
+void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels) {
   const LabelCounts counts = count(labels);
   if (labels.label.empty())
     log_.warn("empty", settings_.node.cloud_topic +
@@ -113,7 +122,6 @@ void StillmapRos::report(const PairedScan& paired, const ScanLabels& labels, dou
   status_.invalid_points = static_cast<std::uint32_t>(counts.invalid);
   status_.scans = shared_.mapper.scan_count();
   status_.voxels = shared_.mapper.voxel_count();
-  status_.process_ms = process_ms;
   status_.stage_ms.assign(stage_timer_.stage_ms.begin(), stage_timer_.stage_ms.end());
   outputs_.publish(status_);
 }

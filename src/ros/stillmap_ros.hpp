@@ -41,7 +41,7 @@ class StillmapRos {
   void work();
   void process(const PairedScan& paired);
   void begin_anew_after_jump(const Scan& scan);
-  void report(const PairedScan& paired, const ScanLabels& labels, double process_ms);
+  void report(const PairedScan& paired, const ScanLabels& labels);
   void between_scans();
   void update_live_parameters();
 

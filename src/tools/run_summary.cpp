@@ -37,11 +37,15 @@ Json distribution(std::vector<double> values) {
           {"max", values.back()}};
 }
 
+Json to_json(const ScanTimes& times) {
+  return {{"cpu_ms", distribution(times.cpu_ms)}, {"wall_ms", distribution(times.wall_ms)}};
+}
+
 Json stage_means(const EngineClock& clock) {
   Json means;
   for (int stage = 0; stage < kStageCount; ++stage)
     means[to_string(static_cast<Stage>(stage))] =
-        clock.stage_cpu_ms()[stage] / static_cast<double>(clock.cpu_ms().size());
+        clock.stage_cpu_ms()[stage] / static_cast<double>(clock.scans().cpu_ms.size());
   return means;
 }
 
@@ -67,24 +71,32 @@ double peak_rss_mb() {
 
 }  // namespace
 
-double EngineClock::cpu_now_ms() const {
-  return now_ms(CLOCK_PROCESS_CPUTIME_ID) - (others_cpu_ms_ ? others_cpu_ms_() : 0);
+EngineClock::Instant EngineClock::now() const {
+  return {now_ms(CLOCK_PROCESS_CPUTIME_ID) - (others_cpu_ms_ ? others_cpu_ms_() : 0),
+          now_ms(CLOCK_MONOTONIC)};
+}
+
+void EngineClock::add(ScanTimes& times, const Instant& from, const Instant& to) {
+  times.cpu_ms.push_back(to.cpu_ms - from.cpu_ms);
+  times.wall_ms.push_back(to.wall_ms - from.wall_ms);
 }
 
 void EngineClock::start_scan() {
-  scan_wall_ms_ = now_ms(CLOCK_MONOTONIC);
-  scan_cpu_ms_ = stage_began_ms_ = cpu_now_ms();
+  scan_began_ = stage_began_ = now();
 }
 
 void EngineClock::stage_ended(Stage stage) {
-  const double now = cpu_now_ms();
-  stage_cpu_ms_[static_cast<int>(stage)] += now - stage_began_ms_;
-  stage_began_ms_ = now;
+  const Instant ended = now();
+  stage_cpu_ms_[static_cast<int>(stage)] += ended.cpu_ms - stage_began_.cpu_ms;
+  if (stage == Stage::kUpkeep) {
+    add(until_labels_, scan_began_, stage_began_);
+    add(upkeep_, stage_began_, ended);
+  }
+  stage_began_ = ended;
 }
 
 void EngineClock::end_scan() {
-  cpu_ms_.push_back(cpu_now_ms() - scan_cpu_ms_);
-  wall_ms_.push_back(now_ms(CLOCK_MONOTONIC) - scan_wall_ms_);
+  add(scans_, scan_began_, now());
 }
 
 void LabelTotals::add(const ScanLabels& labels) {
@@ -102,8 +114,10 @@ void write_summary(const std::string& path, const RunSummary& summary, const Eng
   Json json = {{"scans", summary.online.scans},
                {"points", summary.online.points},
                {"voxels", summary.voxels},
-               {"cpu_ms", distribution(clock.cpu_ms())},
-               {"wall_ms", distribution(clock.wall_ms())},
+               {"cpu_ms", distribution(clock.scans().cpu_ms)},
+               {"wall_ms", distribution(clock.scans().wall_ms)},
+               {"until_labels", to_json(clock.until_labels())},
+               {"upkeep", to_json(clock.upkeep())},
                {"stage_cpu_ms", stage_means(clock)},
                {"peak_rss_mb", peak_rss_mb()},
                {"labels", {{"online", to_json(summary.online)}}},

@@ -9,6 +9,11 @@
 
 namespace stillmap {
 
+/// What each scan took.
+struct ScanTimes {
+  std::vector<double> cpu_ms, wall_ms;
+};
+
 /// CPU time (all threads) and wall time of the engine alone.
 class EngineClock : public StageListener {
  public:
@@ -19,16 +24,21 @@ class EngineClock : public StageListener {
   void end_scan();
   void stage_ended(Stage stage) override;
 
-  const std::vector<double>& cpu_ms() const { return cpu_ms_; }
-  const std::vector<double>& wall_ms() const { return wall_ms_; }
+  const ScanTimes& scans() const { return scans_; }
+  const ScanTimes& until_labels() const { return until_labels_; }
+  const ScanTimes& upkeep() const { return upkeep_; }
   const std::array<double, kStageCount>& stage_cpu_ms() const { return stage_cpu_ms_; }  ///< all scans
 
  private:
-  double cpu_now_ms() const;
+  struct Instant {
+    double cpu_ms = 0, wall_ms = 0;
+  };
+  Instant now() const;
+  static void add(ScanTimes& times, const Instant& from, const Instant& to);
 
   std::function<double()> others_cpu_ms_;
-  double scan_cpu_ms_ = 0, scan_wall_ms_ = 0, stage_began_ms_ = 0;
-  std::vector<double> cpu_ms_, wall_ms_;
+  Instant scan_began_, stage_began_;
+  ScanTimes scans_, until_labels_, upkeep_;
   std::array<double, kStageCount> stage_cpu_ms_{};
 };
 

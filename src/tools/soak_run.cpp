@@ -40,7 +40,7 @@ struct Driver {
     clock.end_scan();
     return labels;
   }
-  double last_ms() const { return clock.cpu_ms().back(); }
+  double last_ms() const { return clock.scans().cpu_ms.back(); }
 };
 
 /// The last lap by a map of the whole way and by one that began a lap before.
@@ -81,7 +81,7 @@ struct Way {
 
 /// The newest `scans` scans.
 void print_row(std::size_t scan, const Way& way, const Driver& driver, std::size_t scans) {
-  const std::vector<double>& cpu_ms = driver.clock.cpu_ms();
+  const std::vector<double>& cpu_ms = driver.clock.scans().cpu_ms;
   std::vector<double> window(cpu_ms.end() - static_cast<std::ptrdiff_t>(scans), cpu_ms.end());
   std::sort(window.begin(), window.end());
   std::printf("%8zu %8.3f %9.2f %9.2f %10.1f %12zu\n", scan, way.km, window[window.size() / 2], window.back(),

@@ -34,6 +34,12 @@ void hit(VoxelMap& map, const BlockKey& key, int place, std::uint32_t scan, floa
   map.count_created(created);
 }
 
+/// A scan from there, whose hits come later.
+void visit(RollingMap& rolling, const Eigen::Vector3d& origin_map_m, std::uint32_t scan) {
+  rolling.move_to(origin_map_m);
+  rolling.leave(origin_map_m, scan);
+}
+
 /// Goes out and back along x, hits voxels around itself, and compares all that is near.
 void expect_nothing_is_lost(double memory_m, TileStore* store) {
   constexpr double kOpen_m = 20, kHit_m = 14;
@@ -45,7 +51,7 @@ void expect_nothing_is_lost(double memory_m, TileStore* store) {
   std::size_t most_open = 0;
   for (std::uint32_t scan = 1; scan <= 400; ++scan) {
     const Eigen::Vector3d origin(scan <= 200 ? 1.0 * scan : 400.0 - 1.0 * scan, 3, 0);
-    rolling.move_to(origin, scan);
+    visit(rolling, origin, scan);
     for (int i = 0; i < 30; ++i) {
       const Eigen::Vector3d place = origin + Eigen::Vector3d(around_m(random), around_m(random), 1);
       const VoxelKey key = plain.key_of(place);
@@ -83,18 +89,18 @@ TEST(RollingMap, LosesNothingWhenFarTilesAreStored) {
 TEST(RollingMap, WithoutAStoreWhatIsFarIsForgotten) {
   VoxelMap map(0.1);
   RollingMap rolling(map, 20, 30);
-  rolling.move_to({0, 0, 0}, 1);
+  visit(rolling, {0, 0, 0}, 1);
   hit(map, {0, 0, 0}, 5, 1, 1.0F);
-  for (std::uint32_t scan = 2; scan < 40; ++scan) rolling.move_to({500, 0, 0}, scan);
+  for (std::uint32_t scan = 2; scan < 40; ++scan) visit(rolling, {500, 0, 0}, scan);
   EXPECT_EQ(rolling.voxel_count(), 0u);
-  rolling.move_to({0, 0, 0}, 50);
+  visit(rolling, {0, 0, 0}, 50);
   EXPECT_EQ(map.find_block({0, 0, 0}), -1);
 }
 
 TEST(RollingMap, ImportsIntoOpenAndClosedTiles) {
   VoxelMap map(0.1), other(0.1);
   RollingMap rolling(map, 20, 0);
-  rolling.move_to({0, 0, 0}, 1);
+  visit(rolling, {0, 0, 0}, 1);
   hit(map, {0, 0, 0}, 5, 1, 1.0F);
   hit(map, {1, 0, 0}, 5, 1, 1.0F);
   for (const int x : {0, 500, 501}) hit(other, {x, 0, 0}, 9, 1, -2.0F);
@@ -104,7 +110,7 @@ TEST(RollingMap, ImportsIntoOpenAndClosedTiles) {
   EXPECT_EQ(rolling.voxel_count(), 4u);
   EXPECT_EQ(map.find({5, 0, 0}), nullptr);  // replaced
   EXPECT_NE(map.find({8 + 5, 0, 0}), nullptr);
-  rolling.move_to({401, 0, 0}, 2);
+  visit(rolling, {401, 0, 0}, 2);
   EXPECT_EQ(map.find(voxel_key(BlockKey(500, 0, 0), 9))->log_odds(), -2.0F);
   EXPECT_EQ(map.find(voxel_key(BlockKey(501, 0, 0), 9))->log_odds(), -2.0F);
 }
@@ -114,11 +120,11 @@ TEST(RollingMap, EditsOpenPackedAndStoredTiles) {
   RollingMap rolling(map, 20, 60);
   TilesInATable store;
   rolling.set_store(&store);
-  rolling.move_to({0, 0, 0}, 1);
+  visit(rolling, {0, 0, 0}, 1);
   hit(map, {0, 0, 0}, 5, 1, 1.0F);
-  for (std::uint32_t scan = 2; scan < 40; ++scan) rolling.move_to({100, 0, 0}, scan);
+  for (std::uint32_t scan = 2; scan < 40; ++scan) visit(rolling, {100, 0, 0}, scan);
   hit(map, {125, 0, 0}, 5, 39, 1.0F);
-  for (std::uint32_t scan = 40; scan < 80; ++scan) rolling.move_to({140, 0, 0}, scan);
+  for (std::uint32_t scan = 40; scan < 80; ++scan) visit(rolling, {140, 0, 0}, scan);
   hit(map, {175, 0, 0}, 5, 79, 1.0F);
   ASSERT_EQ(map.voxel_count(), 1u);
   ASSERT_EQ(rolling.voxel_count(), 2u);
@@ -143,7 +149,7 @@ TEST(RollingMap, EditsOpenPackedAndStoredTiles) {
 TEST(RollingMap, APlaceThatNoVoxelCanHaveOpensNothing) {
   VoxelMap map(0.1);
   RollingMap rolling(map, 20, 0);
-  rolling.move_to({1e15, 0, 0}, 1);
+  visit(rolling, {1e15, 0, 0}, 1);
   EXPECT_TRUE(rolling.tiles().empty());
 }
 

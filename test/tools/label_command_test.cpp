@@ -105,6 +105,10 @@ TEST_F(LabelCommandTest, SummaryHoldsResultsAndConditions) {
     for (const char* key : {"mean", "p50", "p95", "p99", "max"}) EXPECT_GT(json[time][key], 0) << time << key;
     EXPECT_LE(json[time]["p50"], json[time]["p95"]);
     EXPECT_LE(json[time]["p99"], json[time]["max"]);
+    const double until_labels = json["until_labels"][time]["mean"], upkeep = json["upkeep"][time]["mean"];
+    EXPECT_GT(until_labels, 0);
+    EXPECT_GT(upkeep, 0);
+    EXPECT_LE(until_labels + upkeep, json[time]["mean"].get<double>() * 1.001);  // rounded sums
   }
   EXPECT_EQ(json["stage_cpu_ms"].size(), std::size_t{kStageCount});
   EXPECT_EQ(json["parameters"]["voxel_size_m"], 0.2);
