@@ -1,5 +1,7 @@
 #include "object_votes.hpp"
 
+#include <algorithm>
+
 namespace stillmap {
 namespace {
 
@@ -21,10 +23,19 @@ Reason Votes::verdict(float static_share) const {
     return Reason::kObjectMoves;
   if (leaning >= kFew && leaning >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (followed >= kFew && followed >= kHalf * all && !known_before()) return Reason::kObjectMoves;
-  if (vanished >= kFew && vanished >= kHalf * static_cast<float>(tested) && !known_before())
-    return Reason::kReplacedVanished;
+  if (replaces_vanished()) return Reason::kReplacedVanished;
   if (is_static >= static_share * all && is_static >= kStaticMajority * decided) return Reason::kObjectStands;
   return Reason::kMixedEvidence;
+}
+
+// Hardly a return of what stands passes the vanish test: of something large and new, a tenth is enough.
+bool Votes::replaces_vanished() const {
+  constexpr int kSeveral = 6;
+  constexpr float kTenth = 0.1F, kHalf = 0.5F;
+  const auto share = static_cast<float>(vanished) / static_cast<float>(std::max(1, tested));
+  if (known_before() || vanished < kFew) return false;
+  const bool is_new = static_cast<float>(is_static) <= kTenth * static_cast<float>(rows);
+  return share >= kHalf || (is_new && vanished >= kSeveral && share >= kTenth);
 }
 
 bool Votes::moves_as_a_whole() const {

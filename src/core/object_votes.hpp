@@ -48,6 +48,8 @@ struct Votes {
   }
   /// Too much of it is known surface for something that moves.
   bool known_before() const;
+  /// Enough of it lies right behind what vanished.
+  bool replaces_vanished() const;
   /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.
   Reason verdict(float static_share) const;
   /// So clearly moving that rows which only just turned static are taken along.
