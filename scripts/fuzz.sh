@@ -24,7 +24,7 @@ fi
 cmake --build $build -j "$(nproc)" --target "${targets[@]/%/_fuzz}"
 
 # More than any input may make a reader ask for: a bag's chunk may have 256 MB.
-limits=(-rss_limit_mb=1500 -malloc_limit_mb=600 -timeout=60 -detect_leaks=0 -print_final_stats=1)
+limits=(-rss_limit_mb=1500 -malloc_limit_mb=600 -timeout=60 -report_slow_units=60 -detect_leaks=0 -print_final_stats=1)
 mkdir -p $build/found $build/logs
 fuzz() {
   local target=$1 inputs=$build/inputs/$1
