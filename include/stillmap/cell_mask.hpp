@@ -12,22 +12,22 @@ using CellMask = std::uint64_t;
 
 namespace cell_mask {
 
-constexpr std::array<CellMask, kBlockVolume> cell_bits() {
-  std::array<CellMask, kBlockVolume> bits{};
+constexpr std::array<std::uint8_t, kBlockVolume> cells() {
+  std::array<std::uint8_t, kBlockVolume> cells{};
   for (int place = 0; place < kBlockVolume; ++place) {
     const int x = place & (kBlockEdge - 1), y = place >> kBlockShift & (kBlockEdge - 1);
     const int z = place >> (2 * kBlockShift);
-    bits[place] = CellMask{1} << (x / 2 | y / 2 << 2 | z / 2 << 4);
+    cells[place] = static_cast<std::uint8_t>(x / 2 | y / 2 << 2 | z / 2 << 4);
   }
-  return bits;
+  return cells;
 }
-inline constexpr std::array<CellMask, kBlockVolume> kCellBits = cell_bits();
+inline constexpr std::array<std::uint8_t, kBlockVolume> kCells = cells();
 
 }  // namespace cell_mask
 
-/// The cell of a voxel.
-inline CellMask cell_bit(int place) {
-  return cell_mask::kCellBits[place];
+/// The cell of a voxel, where it is `set`; else none.
+inline CellMask cell_bit(int place, bool set = true) {
+  return CellMask{set} << cell_mask::kCells[place];
 }
 
 namespace cell_mask {

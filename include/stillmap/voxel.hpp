@@ -28,15 +28,17 @@ struct Voxel {
   /// A return of the present scan from it; `offset` is its place in voxel edges from the low corner. Scans of
   /// `sensors` LiDARs come in turn.
   void hit(const Eigen::Vector3f& offset, std::size_t sensors = 1) {
-    constexpr float kNewReturn = 0.25F;  // weight against the returns before
     const bool first = hits == 0;
     if (first || idle > 0) {
       came_back = came_back || (seen_through > 0 && idle > sensors);
       if (hits < 0xFF) ++hits;
     }
     idle = 0;
-    const Eigen::Vector3f before = surface_offset();
-    set_surface(first ? offset : before + kNewReturn * (offset - before));
+    if (first)
+      set_surface(offset);
+    else
+      surface = static_cast<std::uint16_t>(moved(surface, offset.x()) | moved(surface >> 5, offset.y()) << 5 |
+                                           moved(surface >> 10, offset.z()) << 10);
   }
   void set_surface(const Eigen::Vector3f& offset) {
     surface = static_cast<std::uint16_t>(bits(offset.x()) | bits(offset.y()) << 5 | bits(offset.z()) << 10);
@@ -57,6 +59,13 @@ struct Voxel {
 
  private:
   static constexpr std::uint16_t kCentre = 16 | 16 << 5 | 16 << 10;
+  /// One axis of the surface after one more return: between two places in the voxel, so that it needs no
+  /// bounds.
+  static unsigned moved(unsigned before_bits, float offset) {
+    constexpr float kNewReturn = 0.25F;  // weight against the returns before
+    const float before = static_cast<float>(static_cast<int>(before_bits & 31)) + 0.5F;
+    return static_cast<unsigned>(static_cast<int>(before + kNewReturn * (offset * 32.0F - before)));
+  }
   static unsigned bits(float offset) {
     return static_cast<unsigned>(static_cast<int>(std::min(std::max(offset * 32.0F, 0.0F), 31.0F)));
   }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "stillmap/cell_mask.hpp"
@@ -13,6 +12,9 @@
 #include "stillmap/voxel_key.hpp"
 
 namespace stillmap {
+
+/// One bit for each place in a block.
+using PlaceMask = std::array<std::uint64_t, kBlockVolume / 64>;
 
 /// 8 x 8 x 8 voxels, of which only those ever hit are stored, by ascending place.
 class VoxelBlock {
@@ -31,13 +33,13 @@ class VoxelBlock {
   /// The voxel of a rank.
   Voxel& stored(int rank) { return voxels_[rank]; }
   const Voxel& stored(int rank) const { return voxels_[rank]; }
-  /// Rank of the voxel at `place`, made if it is not there; `created` says which.
-  int rank_or_create(int place, bool& created) {
+  Voxel& find_or_create(int place, bool& created) {
     created = !contains(place);
     if (created) create(place);
-    return rank(place);
+    return at(place);
   }
-  Voxel& find_or_create(int place, bool& created) { return voxels_[rank_or_create(place, created)]; }
+  /// Makes the voxels at these places that are not there, and says which.
+  PlaceMask create(const PlaceMask& places);
 
   std::size_t size() const { return voxels_.size(); }
   /// Calls visit(place, voxel) by ascending place.
@@ -70,15 +72,15 @@ class VoxelBlock {
   BlockContents contents(std::uint32_t scan) const;
   void restore(const BlockContents& contents, std::uint32_t scan);
 
-  std::uint32_t hit_scan = 0;   ///< last scan that hit a voxel of it
-  std::uint32_t hit_index = 0;  ///< of that scan: its number among the blocks that were hit
-  CellMask standing = 0;        ///< of that scan: cells where it hit surface known to stand
+  std::uint32_t hit_scan = 0;  ///< last scan that hit a voxel of it
+  CellMask standing = 0;       ///< of that scan: cells where it hit surface known to stand
   CellMask porous = 0;  ///< of that scan: cells with surface that was hit again after it was seen through
   std::uint32_t moving_scan = 0;  ///< last scan that saw something move in it
   CellMask moving = 0;            ///< of that scan: the cells where it did
 
  private:
   void create(int place);
+  void count_before();
   template <class BlockT, class Visitor>
   static void for_each_of(BlockT& block, Visitor&& visit) {
     auto* voxel = block.voxels_.data();
@@ -90,7 +92,7 @@ class VoxelBlock {
   static constexpr int kWords = kBlockVolume / 64;
   BlockKey key_;
   std::uint32_t aged_scan_ = 0;
-  std::array<std::uint64_t, kWords> occupied_{};
+  PlaceMask occupied_{};
   std::array<std::uint16_t, kWords> before_{};  ///< stored voxels in the words before
   std::vector<Voxel> voxels_;
 };
@@ -129,14 +131,17 @@ class VoxelMap {
   std::uint32_t find_or_create_block(const BlockKey& key);
   const Voxel* find(const VoxelKey& key) const {
     const std::int64_t block = find_block(block_key(key));
-    if (block < 0 || !blocks_[block].contains(place_in_block(key))) return nullptr;
-    return &blocks_[block].at(place_in_block(key));
+    if (block < 0) return nullptr;
+    const VoxelBlock& found = this->block(static_cast<std::uint32_t>(block));
+    return found.contains(place_in_block(key)) ? &found.at(place_in_block(key)) : nullptr;
   }
 
   /// Indices in use and those of erased blocks, which are empty.
-  std::size_t block_count() const { return blocks_.size(); }
-  VoxelBlock& block(std::uint32_t index) { return blocks_[index]; }
-  const VoxelBlock& block(std::uint32_t index) const { return blocks_[index]; }
+  std::size_t block_count() const { return block_count_; }
+  VoxelBlock& block(std::uint32_t index) { return chunks_[index >> kChunkShift][index & (kChunk - 1)]; }
+  const VoxelBlock& block(std::uint32_t index) const {
+    return chunks_[index >> kChunkShift][index & (kChunk - 1)];
+  }
   std::size_t voxel_count() const { return voxel_count_; }
   /// To be told of each voxel that was made in a block.
   void count_created(std::size_t voxels) { voxel_count_ += voxels; }
@@ -171,10 +176,15 @@ class VoxelMap {
   }
 
  private:
+  static constexpr int kChunkShift = 10;
+  static constexpr std::uint32_t kChunk = 1U << kChunkShift;
+
   double voxel_size_m_, inverse_;
   tsl::robin_map<std::uint64_t, std::uint32_t, BlockKeyHash> index_;
   tsl::robin_map<std::uint64_t, BlockTile, BlockKeyHash> tiles_;
-  std::deque<VoxelBlock> blocks_;
+  /// By index. Each chunk has its capacity from the start, so that blocks stay where they are.
+  std::vector<std::vector<VoxelBlock>> chunks_;
+  std::size_t block_count_ = 0;
   std::vector<std::uint32_t> free_;  ///< indices of erased blocks
   std::size_t voxel_count_ = 0;
 };

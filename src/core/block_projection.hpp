@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "scan_view.hpp"
+#include "stillmap/cell_mask.hpp"
 #include "stillmap/voxel_map.hpp"
 
 namespace stillmap {
@@ -20,24 +21,34 @@ class BlockProjection {
   /// Sorts out the voxels that the scan supports or contradicts.
   void find_told(const ScanView& view, const std::vector<LevelModel>& models);
 
-  /// Calls support(rank, says) for each voxel that it supports, conflict(place, rank, seen) for each that it
-  /// contradicts; see ScanView::find_told().
-  template <class Support, class Conflict>
-  void for_each_told(Support&& support, Conflict&& conflict) const {
-    for (std::size_t k = 0; k < told_size_; ++k) {
-      const std::size_t i = told_at_[k];
-      if (told_[i] == ScanView::kConflict)
-        conflict(static_cast<int>(packed_[i] >> 15), static_cast<int>(rank_[i]),
-                 Spherical{azimuth_rad_[i], elevation_rad_[i], range_m_[i]});
-      else
-        support(static_cast<int>(rank_[i]), told_[i]);
-    }
+  /// Calls visit(rank, says) for each voxel that it supports; see ScanView::find_told().
+  template <class Visitor>
+  void for_each_supported(Visitor&& visit) const {
+    for (std::size_t k = 0; k < told_size_; ++k)
+      if (const std::size_t i = told_at_[k]; told_[i] != ScanView::kConflict)
+        visit(static_cast<int>(rank_[i]), told_[i]);
+  }
+  /// The cells of those that it contradicts.
+  CellMask seen_through() const {
+    CellMask cells = 0;
+    for (std::size_t k = 0; k < told_size_; ++k)
+      cells |= cell_bit(place(told_at_[k]), told_[told_at_[k]] == ScanView::kConflict);
+    return cells;
+  }
+  /// Calls visit(place, rank, seen) for each of them.
+  template <class Visitor>
+  void for_each_contradicted(Visitor&& visit) const {
+    for (std::size_t k = 0; k < told_size_; ++k)
+      if (const std::size_t i = told_at_[k]; told_[i] == ScanView::kConflict)
+        visit(place(i), static_cast<int>(rank_[i]),
+              Spherical{azimuth_rad_[i], elevation_rad_[i], range_m_[i]});
   }
 
  private:
   static constexpr std::size_t kLanes = 8;  ///< vector registers are filled up with the voxel at place 0
   static constexpr std::size_t kMost = kBlockVolume + kLanes;
 
+  int place(std::size_t i) const { return static_cast<int>(packed_[i] >> 15); }
   std::size_t whole_lanes() const { return (size_ + kLanes - 1) / kLanes * kLanes; }
 
   // One for each voxel that is asked about, by rank.

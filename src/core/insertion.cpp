@@ -24,14 +24,19 @@ void Mapper::State::find_hit_blocks() {
     std::uint64_t key = LocatedRows::kNowhere;
     std::uint32_t hit = 0;
   };
-  constexpr std::size_t kRecent = 4096;
+  constexpr std::size_t kRecent = 8192;
   std::array<Recent, kRecent> recent;
   Recent last;  // neighbouring rows mostly share a block
   hit_blocks.clear();
   hit_of_row.resize(projected.size());
+  voxel_of_row.resize(projected.size());
   for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
     const std::uint64_t key = located.block[row];
-    if (key == LocatedRows::kNowhere) continue;
+    if (key == LocatedRows::kNowhere) {
+      hit_of_row[row] = VoxelRef::kNone;
+      voxel_of_row[row] = VoxelRef{};
+      continue;
+    }
     if (key != last.key) {
       Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
       if (entry.key != key) entry = {key, hit_of_block(key)};
@@ -44,13 +49,13 @@ void Mapper::State::find_hit_blocks() {
 
 std::uint32_t Mapper::State::hit_of_block(std::uint64_t packed_key) {
   const std::uint32_t index = map.find_or_create_block(unpacked(packed_key));
-  VoxelBlock& block = map.block(index);
-  if (block.hit_scan != scan_count) {
-    block.hit_scan = scan_count;
-    block.hit_index = static_cast<std::uint32_t>(hit_blocks.size());
-    hit_blocks.push_back({&block, index});
+  if (index >= last_hits.size()) last_hits.resize(map.block_count());
+  LastHit& last = last_hits[index];
+  if (last.scan != scan_count) {
+    last = {scan_count, static_cast<std::uint32_t>(hit_blocks.size())};
+    hit_blocks.push_back({&map.block(index), index});
   }
-  return block.hit_index;
+  return last.hit;
 }
 
 void Mapper::State::sort_rows_by_block() {
@@ -62,9 +67,8 @@ void Mapper::State::sort_rows_by_block() {
   }
   rows_by_block.resize(rows);
   new_rows.resize(rows);
-  voxel_of_row.assign(projected.size(), VoxelRef{});
-  for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
-    if (located.block[row] == LocatedRows::kNowhere) continue;
+  for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
+    if (hit_of_row[row] == VoxelRef::kNone) continue;
     HitBlock& hit = hit_blocks[hit_of_row[row]];
     rows_by_block[hit.first_row + hit.row_count++] = static_cast<std::uint32_t>(row);
   }
@@ -73,20 +77,29 @@ void Mapper::State::sort_rows_by_block() {
 STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
   VoxelBlock& block = *hit.block;
   block.age(scan_count);
-  const Eigen::Vector3f centre = Eigen::Vector3f::Constant(0.5F);
+  block.hit_scan = scan_count;
   const std::uint32_t* rows = &rows_by_block[hit.first_row];
+  PlaceMask returned{};
+  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
+    const std::uint16_t place = located.place[rows[i]];
+    returned[place >> 6] |= std::uint64_t{1} << (place & 63);
+  }
+  PlaceMask made = block.create(returned);
+  const Eigen::Vector3f centre = Eigen::Vector3f::Constant(0.5F);
   const std::size_t lidars = sensors.size();
   for (std::uint32_t i = 0; i < hit.row_count; ++i) {
     const std::uint16_t place = located.place[rows[i]];
-    bool created = false;
-    const int rank = block.rank_or_create(place, created);
+    const int rank = block.rank(place);
     block.stored(rank).hit(parameters.surface_in_voxel ? located.offset(rows[i]) : centre, lidars);
     voxel_of_row[rows[i]] = {hit.index, place, static_cast<std::uint16_t>(rank)};
-    if (created) new_rows[hit.first_row + hit.new_count++] = rows[i];
+    const std::uint64_t bit = std::uint64_t{1} << (place & 63);
+    if ((made[place >> 6] & bit) == 0) continue;
+    made[place >> 6] &= ~bit;  // by its first return
+    new_rows[hit.first_row + hit.new_count++] = rows[i];
   }
-  for (std::uint32_t i = 0; hit.new_count > 0 && i < hit.row_count; ++i)
-    voxel_of_row[rows[i]].rank = static_cast<std::uint16_t>(block.rank(located.place[rows[i]]));
-  if (every_voxel_is_judged) find_known_surface(block);
+  if (!every_voxel_is_judged) return;
+  find_known_surface(block);
+  if (parameters.hit_is_support) support_returned(block, returned);
 }
 
 }  // namespace stillmap

@@ -2,21 +2,19 @@
 #include "block_projection.hpp"
 #include "coarse_image.hpp"
 #include "mapper_state.hpp"
+#include "vector_clones.hpp"
 
 namespace stillmap {
 
 // Blocks own their voxels and read only what no other block writes: any order gives the same map.
 //
-// A return is support by itself, so that labels need nothing else of the present scan; where it is not, they
+// Where a return is support by itself, labels need nothing else of the present scan; where it is not, they
 // need what its image says of the blocks that it hit.
 void Mapper::State::apply_evidence_to_hits(const ScanView& view) {
-  if (!every_voxel_is_judged) return apply_evidence_to_nearest(view);
-  for_each_hit_block([&](const HitBlock& hit) {
-    if (parameters.hit_is_support)
-      support_hits(*hit.block);
-    else
-      judge_hit_block(view, *hit.block);
-  });
+  if (!every_voxel_is_judged)
+    apply_evidence_to_nearest(view);
+  else if (!parameters.hit_is_support)
+    for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
 }
 
 void Mapper::State::apply_evidence_to_others(const ScanView& view) {
@@ -29,12 +27,13 @@ void Mapper::State::apply_evidence_to_others(const ScanView& view) {
                     [&](std::size_t i) { judge_tile(view, coarse, *near_tiles[i]); });
 }
 
-void Mapper::State::support_hits(VoxelBlock& block) const {
-  for (std::size_t rank = 0; rank < block.size(); ++rank) {
-    Voxel& voxel = block.stored(static_cast<int>(rank));
-    if (voxel.idle == 0 && voxel.age > 0)
-      support(voxel, support_tables.of_hit(voxel));  // replay judges new ones
-  }
+STILLMAP_VECTOR_CLONES void Mapper::State::support_returned(VoxelBlock& block,
+                                                            const PlaceMask& places) const {
+  for (int word = 0; word < static_cast<int>(places.size()); ++word)
+    for (std::uint64_t bits = places[word]; bits != 0; bits &= bits - 1) {
+      Voxel& voxel = block.at(word * 64 + __builtin_ctzll(bits));
+      if (voxel.age > 0) support(voxel, support_tables.of_hit(voxel));  // replay judges new ones
+    }
 }
 
 void Mapper::State::judge_hit_block(const ScanView& view, VoxelBlock& block) {
@@ -56,6 +55,7 @@ void Mapper::State::judge_tile(const ScanView& view, const CoarseView& coarse, c
   const auto reach = static_cast<float>(reach_m());
   std::vector<std::uint32_t> in_view;
   for (const BlockEntry& entry : tile) {
+    if (is_hit(entry.index)) continue;
     const Eigen::Vector3f corner = corner_of(entry.key, view);
     if (corner.squaredNorm() > reach * reach) continue;
     if (coarse.may_tell(corner + to_center, half_m * std::sqrt(3.0F))) in_view.push_back(entry.index);
@@ -63,9 +63,7 @@ void Mapper::State::judge_tile(const ScanView& view, const CoarseView& coarse, c
   for (std::size_t i = 0; i < in_view.size(); ++i) {
     if (i + kFarAhead < in_view.size()) map.block(in_view[i + kFarAhead]).prefetch();
     if (i + kAhead < in_view.size()) map.block(in_view[i + kAhead]).prefetch_voxels();
-    VoxelBlock& block = map.block(in_view[i]);
-    if (block.hit_scan == scan_count) continue;
-    judge_block(view, block, BlockProjection::Asked::kAll);
+    judge_block(view, map.block(in_view[i]), BlockProjection::Asked::kAll);
   }
 }
 
@@ -74,32 +72,23 @@ Eigen::Vector3f Mapper::State::corner_of(const BlockKey& key, const ScanView& vi
 }
 
 void Mapper::State::judge(const ScanView& view, VoxelBlock& block, const BlockProjection& seen) {
-  struct Conflict {
-    int place, rank;
-    Spherical seen;
-  };
-  std::vector<Conflict> conflicts;
-  CellMask seen_through = 0;
-  seen.for_each_told([&](int rank, int says) { support(block.stored(rank), support_tables.of_rank(says)); },
-                     [&](int place, int rank, const Spherical& here) {
-                       conflicts.push_back({place, rank, here});
-                       seen_through |= cell_bit(place);
-                     });
-  if (conflicts.empty()) return;
-  const CellMask surface = near_standing_surface(block.key(), seen_through);
+  seen.for_each_supported(
+      [&](int rank, int says) { support(block.stored(rank), support_tables.of_rank(says)); });
+  const CellMask seen_through = seen.seen_through();
+  if (seen_through == 0) return;
   constexpr int kEmpty = 8;  // scans that saw through it: no leaf hides for so long
-  const CellMask porous = near_porous(block.key(), seen_through);
+  const KnownSurface known = near_known_surface(block.key(), seen_through);
   const BeamShare share = beam_share(beams);
-  for (const Conflict& conflict : conflicts) {
-    Voxel& voxel = block.stored(conflict.rank);
+  seen.for_each_contradicted([&](int place, int rank, const Spherical& here) {
+    Voxel& voxel = block.stored(rank);
     voxel.see_through();
-    const CellMask cell = cell_bit(conflict.place);
-    const bool is_porous = voxel.came_back != 0 || (voxel.seen_through < kEmpty && (porous & cell) != 0);
-    const float factor = conflict_factor(is_porous, (surface & cell) != 0);
-    const float increment = view.evidence(conflict.seen, models).increment(voxel.log_odds());
-    voxel.set_log_odds(
-        recursion(voxel.log_odds(), factor * std::sqrt(share.at(conflict.seen.range_m)) * increment));
-  }
+    const CellMask cell = cell_bit(place);
+    const bool is_porous =
+        voxel.came_back != 0 || (voxel.seen_through < kEmpty && (known.porous & cell) != 0);
+    const float factor = conflict_factor(is_porous, (known.standing & cell) != 0);
+    const float increment = view.evidence(here, models).increment(voxel.log_odds());
+    voxel.set_log_odds(recursion(voxel.log_odds(), factor * std::sqrt(share.at(here.range_m)) * increment));
+  });
 }
 
 void Mapper::State::support(Voxel& voxel, const SupportTable& table) const {

@@ -71,6 +71,7 @@ struct Mapper::State {
   ProjectedScan projected;
   LocatedRows located;
   std::vector<HitBlock> hit_blocks;
+  std::vector<LastHit> last_hits;            ///< by index of the block in the map
   std::vector<std::uint32_t> hit_of_row;     ///< index in hit_blocks
   std::vector<std::uint32_t> rows_by_block;  ///< rows of the scan
   std::vector<std::uint32_t> new_rows;
@@ -110,6 +111,9 @@ struct Mapper::State {
   void insert(const Eigen::Isometry3d& T_map_sensor);
   void find_hit_blocks();
   std::uint32_t hit_of_block(std::uint64_t packed_key);
+  bool is_hit(std::uint32_t block) const {
+    return block < last_hits.size() && last_hits[block].scan == scan_count;
+  }
   void sort_rows_by_block();
   void insert_rows(HitBlock& hit);
   Voxel& voxel_of(const VoxelRef& ref) { return map.block(ref.block).stored(ref.rank); }
@@ -131,7 +135,7 @@ struct Mapper::State {
   // map_evidence.cpp: every voxel compares its own range with I_O
   void apply_evidence_to_hits(const ScanView& view);
   void apply_evidence_to_others(const ScanView& view);
-  void support_hits(VoxelBlock& block) const;
+  void support_returned(VoxelBlock& block, const PlaceMask& places) const;
   void judge_hit_block(const ScanView& view, VoxelBlock& block);
   void judge_tile(const ScanView& view, const CoarseView& coarse, const BlockTile& tile);
   void judge_block(const ScanView& view, VoxelBlock& block, BlockProjection::Asked asked);
@@ -154,7 +158,10 @@ struct Mapper::State {
 
   // neighbourhood.cpp
   void find_known_surface(VoxelBlock& block) const;
-  CellMask near_standing_surface(const BlockKey& key, CellMask asked) const;
+  struct KnownSurface {
+    CellMask standing, porous;
+  };
+  KnownSurface near_known_surface(const BlockKey& key, CellMask asked) const;
   CellMask near_porous(const BlockKey& key, CellMask asked) const;
   CellMask near_moving(const BlockKey& key, CellMask asked) const;
   void remember_moving();
@@ -166,13 +173,19 @@ struct Mapper::State {
   CellMask near(const BlockKey& key, CellMask asked, CellsOf&& cells_of) const {
     std::array<CellMask, 27> around{};
     CellMask any = 0;
+    for_each_around(key, asked, [&](int i, const VoxelBlock& block) { any |= around[i] = cells_of(block); });
+    return any != 0 ? grown(around) & asked : 0;
+  }
+  /// Calls visit(i, block) for the block and its neighbours, of 3 x 3 x 3, that touch a cell that is asked
+  /// for.
+  template <class Visitor>
+  void for_each_around(const BlockKey& key, CellMask asked, Visitor&& visit) const {
     for (int i = 0; i < 27; ++i) {
       const BlockKey step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
       if ((asked & facing(step.x(), step.y(), step.z())) == 0) continue;
       const std::int64_t index = map.find_block(key + step);
-      if (index >= 0) any |= around[i] = cells_of(map.block(static_cast<std::uint32_t>(index)));
+      if (index >= 0) visit(i, map.block(static_cast<std::uint32_t>(index)));
     }
-    return any != 0 ? grown(around) & asked : 0;
   }
 
   // explain.cpp

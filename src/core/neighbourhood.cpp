@@ -26,18 +26,20 @@ void Mapper::State::find_known_surface(VoxelBlock& block) const {
   CellMask standing = 0, porous = 0;
   const std::uint8_t* voxel_stands = stands;
   block.for_each([&](int place, const Voxel& voxel) {
-    const bool is_porous = (voxel.came_back != 0) & (voxel.log_odds_fixed > 0);
-    standing |= *voxel_stands++ != 0 ? cell_bit(place) : 0;
-    porous |= is_porous ? cell_bit(place) : 0;
+    standing |= cell_bit(place, *voxel_stands++ != 0);
+    porous |= cell_bit(place, (voxel.came_back != 0) & (voxel.log_odds_fixed > 0));
   });
   block.standing = standing;
   block.porous = porous;
 }
 
-CellMask Mapper::State::near_standing_surface(const BlockKey& key, CellMask asked) const {
-  return near(key, asked, [this](const VoxelBlock& b) {
-    return b.hit_scan + scans_of_all(kStandingMemoryScans) >= scan_count ? b.standing : CellMask{0};
+Mapper::State::KnownSurface Mapper::State::near_known_surface(const BlockKey& key, CellMask asked) const {
+  std::array<CellMask, 27> standing{}, porous{};
+  for_each_around(key, asked, [&](int i, const VoxelBlock& b) {
+    if (b.hit_scan + scans_of_all(kStandingMemoryScans) >= scan_count) standing[i] = b.standing;
+    porous[i] = b.porous;
   });
+  return {grown(standing) & asked, grown(porous) & asked};
 }
 
 CellMask Mapper::State::near_porous(const BlockKey& key, CellMask asked) const {

@@ -17,6 +17,11 @@ struct VoxelRef {
   bool exists() const { return block != kNone; }
 };
 
+/// The last scan that hit a block, and the block's number among all that it hit.
+struct LastHit {
+  std::uint32_t scan = 0, hit = 0;
+};
+
 /// A block that this scan hit. Its rows are rows_by_block[first_row + 0 .. row_count - 1]; those that made a
 /// voxel are new_rows[first_row + 0 .. new_count - 1].
 struct HitBlock {

@@ -41,6 +41,14 @@ STILLMAP_VECTOR_CLONES void see(Batch& batch, const Eigen::Vector3d& origin_map_
   }
 }
 
+/// What evidence() says where the strongest support is of this rank.
+FusedEvidence strongest_support(int rank, const std::vector<LevelModel>& models) {
+  FusedEvidence evidence;
+  for (const LevelModel& model : models)
+    if (model.support_rank == rank) evidence.support(model);
+  return evidence;
+}
+
 }  // namespace
 
 void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor) {
@@ -74,8 +82,9 @@ void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::s
       if (batch.told[i] == 0) continue;
       const bool support = batch.told[i] != ScanView::kConflict;
       if (support && !may_support) continue;
+      const Spherical seen{batch.azimuth_rad[i], batch.elevation_rad[i], batch.range_m[i]};
       const FusedEvidence evidence =
-          earlier.evidence(Spherical{batch.azimuth_rad[i], batch.elevation_rad[i], batch.range_m[i]}, models);
+          support ? strongest_support(batch.told[i], models) : earlier.evidence(seen, models);
       float& factor = batch.conflict_factor[i];
       if (!support && factor <= 0) factor = replay_conflict_factor(voxel_of_row[batch.rows[i]]);
       const float weight = support ? 1.0F : factor * share.at(batch.range_m[i]);

@@ -20,6 +20,34 @@ void VoxelBlock::create(int place) {
   voxels_.insert(voxels_.begin() + index, Voxel{});
 }
 
+STILLMAP_VECTOR_CLONES PlaceMask VoxelBlock::create(const PlaceMask& places) {
+  PlaceMask made;
+  std::size_t count = 0;
+  for (int word = 0; word < kWords; ++word) {
+    made[word] = places[word] & ~occupied_[word];
+    count += static_cast<std::size_t>(__builtin_popcountll(made[word]));
+  }
+  if (count == 0) return made;
+  // From the end, so that each voxel moves once and over none that is still to move.
+  std::size_t from = voxels_.size(), to = from + count;
+  voxels_.resize(to);
+  for (int word = kWords - 1; from < to; --word) {
+    for (std::uint64_t bits = occupied_[word] | made[word]; bits != 0 && from < to;) {
+      const std::uint64_t highest = std::uint64_t{1} << (63 - __builtin_clzll(bits));
+      voxels_[--to] = (made[word] & highest) != 0 ? Voxel{} : voxels_[--from];
+      bits &= ~highest;
+    }
+  }
+  for (int word = 0; word < kWords; ++word) occupied_[word] |= made[word];
+  count_before();
+  return made;
+}
+
+void VoxelBlock::count_before() {
+  for (int word = 1; word < kWords; ++word)
+    before_[word] = static_cast<std::uint16_t>(before_[word - 1] + __builtin_popcountll(occupied_[word - 1]));
+}
+
 void VoxelBlock::age(std::uint32_t scan) {
   const std::uint32_t scans = scan - aged_scan_;
   aged_scan_ = scan;
@@ -40,21 +68,21 @@ void VoxelBlock::restore(const BlockContents& contents, std::uint32_t scan) {
   *this = VoxelBlock(contents.key);
   porous = contents.porous;
   occupied_ = contents.occupied;
-  for (int word = 1; word < kWords; ++word)
-    before_[word] = static_cast<std::uint16_t>(before_[word - 1] + __builtin_popcountll(occupied_[word - 1]));
+  count_before();
   voxels_ = contents.voxels;
   aged_scan_ = scan;
 }
 
 std::uint32_t VoxelMap::find_or_create_block(const BlockKey& key) {
-  const auto next = free_.empty() ? static_cast<std::uint32_t>(blocks_.size()) : free_.back();
+  const auto next = free_.empty() ? static_cast<std::uint32_t>(block_count_) : free_.back();
   const auto [it, created] = index_.try_emplace(packed(key), next);
   if (!created) return it->second;
   if (free_.empty()) {
-    blocks_.emplace_back(key);
+    if (block_count_++ % kChunk == 0) chunks_.emplace_back().reserve(kChunk);
+    chunks_.back().emplace_back(key);
   } else {
     free_.pop_back();
-    blocks_[next] = VoxelBlock(key);
+    block(next) = VoxelBlock(key);
   }
   tiles_[packed_tile(tile_key(key))].push_back({key, next});
   return next;
@@ -73,18 +101,18 @@ void VoxelMap::erase_tile(const TileKey& key) {
   if (it == tiles_.end()) return;
   for (const BlockEntry& entry : it->second) {
     index_.erase(packed(entry.key));
-    voxel_count_ -= blocks_[entry.index].size();
-    blocks_[entry.index] = VoxelBlock(BlockKey::Zero());
+    voxel_count_ -= block(entry.index).size();
+    block(entry.index) = VoxelBlock(BlockKey::Zero());
     free_.push_back(entry.index);
   }
   tiles_.erase(it);
 }
 
 void VoxelMap::restore(const BlockContents& contents, std::uint32_t scan) {
-  VoxelBlock& block = blocks_[find_or_create_block(contents.key)];
-  voxel_count_ -= block.size();
-  block.restore(contents, scan);
-  voxel_count_ += block.size();
+  VoxelBlock& restored = block(find_or_create_block(contents.key));
+  voxel_count_ -= restored.size();
+  restored.restore(contents, scan);
+  voxel_count_ += restored.size();
 }
 
 }  // namespace stillmap

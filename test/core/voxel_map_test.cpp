@@ -148,6 +148,43 @@ TEST(VoxelMap, CentreOfAVoxelLiesInIt) {
   EXPECT_EQ(map.key_of(map.center_of({5, -7, 0})), VoxelKey(5, -7, 0));
 }
 
+TEST(VoxelMap, BlocksStayWhereTheyAre) {
+  VoxelMap map(0.1);
+  const VoxelBlock* const first = &map.block(map.find_or_create_block({0, 0, 0}));
+  for (int x = 1; x < 5000; ++x) map.find_or_create_block({x, 0, 0});
+  EXPECT_EQ(&map.block(map.find_or_create_block({0, 0, 0})), first);
+  EXPECT_EQ(map.block_count(), 5000u);
+  for (int x = 0; x < 5000; ++x) ASSERT_EQ(map.block(map.find_or_create_block({x, 0, 0})).key().x(), x);
+}
+
+TEST(VoxelBlock, ManyVoxelsAtOnceAreAsOneByOne) {
+  std::mt19937 random(6);
+  for (int round = 0; round < 20; ++round) {
+    VoxelBlock at_once({0, 0, 0}), one_by_one({0, 0, 0});
+    for (int more = 0; more < 6; ++more) {
+      PlaceMask places{};
+      for (int i = 0; i < 1 << more * 2; ++i)
+        places[random() % places.size()] |= std::uint64_t{1} << random() % 64;
+      const PlaceMask made = at_once.create(places);
+      for (int place = 0; place < kBlockVolume; ++place) {
+        const std::uint64_t bit = std::uint64_t{1} << (place & 63);
+        bool created = false;
+        if ((places[place >> 6] & bit) != 0) one_by_one.find_or_create(place, created);
+        ASSERT_EQ((made[place >> 6] & bit) != 0, created);
+        if (!created) continue;
+        EXPECT_EQ(at_once.at(place).hits, 0);
+        at_once.at(place).log_odds_fixed = one_by_one.at(place).log_odds_fixed =
+            static_cast<std::int16_t>(1000 * more + place);
+      }
+      ASSERT_EQ(at_once.size(), one_by_one.size());
+      one_by_one.for_each([&](int place, const Voxel& voxel) {
+        ASSERT_TRUE(at_once.contains(place));
+        ASSERT_EQ(at_once.at(place).log_odds_fixed, voxel.log_odds_fixed);
+      });
+    }
+  }
+}
+
 TEST(VoxelBlock, AgesByTheScansThatPassed) {
   VoxelBlock block({0, 0, 0});
   block.age(10);
