@@ -97,7 +97,7 @@ void Mapper::State::support(Voxel& voxel, const SupportTable& table) const {
 }
 
 bool Mapper::State::is_settling(const Voxel& voxel) const {
-  return voxel.moved_in != 0 && voxel.came_back == 0 && voxel.log_odds_fixed < 0 &&
+  return voxel.log_odds_fixed < 0 && voxel.moved_in != 0 && voxel.came_back == 0 &&
          parameters.settle_time_s > 0;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <cmath>
 
 #include "mapper_state.hpp"
-#include "vector_clones.hpp"
 
 namespace stillmap {
 namespace {
@@ -9,24 +9,19 @@ namespace {
 constexpr std::uint32_t kStandingMemoryScans = 1;
 constexpr std::uint32_t kMovingMemoryScans = 2;
 
-STILLMAP_VECTOR_CLONES void find_standing(std::size_t n, const Voxel* voxels, std::uint32_t most_idle,
-                                          float established, std::uint8_t* __restrict stands) {
-  constexpr int kEstablishedHits = 3;
-  for (std::size_t i = 0; i < n; ++i)
-    stands[i] = (voxels[i].idle <= most_idle) & (voxels[i].hits >= kEstablishedHits) &
-                (voxels[i].log_odds() >= established);
-}
-
 }  // namespace
 
 void Mapper::State::find_known_surface(VoxelBlock& block) const {
-  std::uint8_t stands[kBlockVolume];
-  find_standing(block.size(), &block.stored(0), scans_of_all(kStandingMemoryScans),
-                log_odds_from_p(decision.p_static_min), stands);
+  constexpr int kEstablishedHits = 3;
+  const auto most_idle = static_cast<int>(scans_of_all(kStandingMemoryScans));
+  constexpr float kBeyondFixed = 1e5F;  // log_odds is infinite where p_static_min is 1
+  const float log_odds = log_odds_from_p(decision.p_static_min) * Voxel::kLogOddsScale;
+  const auto established = static_cast<int>(std::ceil(within(log_odds, -kBeyondFixed, kBeyondFixed)));
   CellMask standing = 0, porous = 0;
-  const std::uint8_t* voxel_stands = stands;
   block.for_each([&](int place, const Voxel& voxel) {
-    standing |= cell_bit(place, *voxel_stands++ != 0);
+    const bool stands =
+        (voxel.idle <= most_idle) & (voxel.hits >= kEstablishedHits) & (voxel.log_odds_fixed >= established);
+    standing |= cell_bit(place, stands);
     porous |= cell_bit(place, (voxel.came_back != 0) & (voxel.log_odds_fixed > 0));
   });
   block.standing = standing;
