@@ -4,7 +4,7 @@
 usage: plot_instructions.py BEFORE AFTER PICTURE.png
 
 BEFORE and AFTER are tables of `test/speed/instruction_bounds.py PROGRAM --cache`; their second column, in millions of
-instructions for each scan, is drawn.
+instructions for each scan, is drawn. A stage that BEFORE does not have took nothing.
 """
 import pathlib
 import sys
@@ -29,12 +29,13 @@ def main():
     before, after = instructions(sys.argv[1]), instructions(sys.argv[2])
     figure, axes = plt.subplots(figsize=(7, 3.2))
     for place, (name, counts, colour) in enumerate([("before", before, "0.65"), ("after", after, "tab:blue")]):
-        at = [stage + 0.4 * place for stage in range(len(counts))]
-        axes.barh(at, list(counts.values()), height=0.38, color=colour, label=f"{name}: {sum(counts.values()):.0f}")
-        for height, millions in zip(at, counts.values()):
+        at = [stage + 0.4 * place for stage in range(len(after))]
+        widths = [counts.get(stage, 0) for stage in after]
+        axes.barh(at, widths, height=0.38, color=colour, label=f"{name}: {sum(counts.values()):.0f}")
+        for height, millions in zip(at, widths):
             axes.text(millions, height, f" {millions:.0f}", va="center", fontsize=8)
-    axes.set_yticks([stage + 0.2 for stage in range(len(before))])
-    axes.set_yticklabels(list(before))
+    axes.set_yticks([stage + 0.2 for stage in range(len(after))])
+    axes.set_yticklabels(list(after))
     axes.invert_yaxis()
     axes.set_xlabel("million instructions for each scan")
     axes.legend(frameon=False)
