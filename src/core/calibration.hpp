@@ -14,6 +14,8 @@ class Calibration {
   Calibration();
   /// `p_static` of eq. (1), 0 to 1.
   float operator()(Reason reason, float p_static) const {
+    // Never negative, and std::lround would be a call for each point.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
     const auto bin = static_cast<std::size_t>(p_static * (kBins - 1) + 0.5F);
     return share_[static_cast<std::size_t>(reason)][bin];
   }

@@ -14,6 +14,7 @@ std::vector<SupportTable> tables_by_rank(const std::vector<LevelModel>& models, 
     eta[rank] = model.eta;
   }
   std::vector<SupportTable> tables;
+  tables.reserve(eta.size());
   for (const float rate : eta) tables.emplace_back(rate, models.front().eta_when_dynamic, recursion);
   return tables;
 }
