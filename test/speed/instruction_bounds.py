@@ -8,6 +8,7 @@ usage: instruction_bounds.py PROGRAM [--scene SCENE SENSOR] [--write | --cache]
   --cache   no bounds: prints a table, also with the bytes that come from beyond the first and the last cache.
 """
 import argparse
+import math
 import pathlib
 import re
 import subprocess
@@ -67,7 +68,7 @@ def bounds():
 
 
 def write(measured):
-    lines = [f"{stage:12} {HEAD_ROOM * count['Ir'] / 1e6:6.2f}" for stage, count in measured.items()]
+    lines = [f"{stage:12} {math.ceil(HEAD_ROOM * count['Ir'] / 1e4) / 100:6.2f}" for stage, count in measured.items()]
     BOUNDS.write_text(HEADING + "\n".join(lines) + "\n")
     print(BOUNDS.read_text(), end="")
 
