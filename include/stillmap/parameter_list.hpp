@@ -106,6 +106,9 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "what rises a little above the ground right below something that moves goes with it");
   flag("take_insides_along", p.take_insides_along,
        "what is seen for the first time through the windows of a moving vehicle goes with it");
+  number("hits_to_overrule", "scans", 0, 255, p.hits_to_overrule,
+         "in the end, what was dynamic at the scan's own time turns static only where so many scans hit the "
+         "voxel");
 
   number("gate_voxel_support", "scans", 0, 1000, p.gate_voxel_support,
          "a dynamic verdict stands only on a voxel hit in fewer scans (section 2.1); 0 = off");

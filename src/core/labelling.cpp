@@ -55,6 +55,14 @@ void Mapper::State::calibrate() {
   });
 }
 
+// Where the map stays undecided, what was said at the scan's own time stands; so does a mover that nobody has
+// looked through since: its own returns, in a few scans, make no surface.
+bool Mapper::State::overrules(const Voxel& voxel, Label label_of_map, Label label_online) const {
+  if (label_of_map == Label::kUncertain || label_of_map == label_online) return false;
+  return label_of_map == Label::kDynamic || label_online == Label::kUncertain ||
+         voxel.hits >= parameters.hits_to_overrule;
+}
+
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
   constexpr double kOffSurfaceM = 0.02;
@@ -78,8 +86,7 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
       settled.reason[row] = Reason::kMixedEvidence;
       continue;
     }
-    // Where the map stays undecided, what was said at the scan's own time stands.
-    if (label == Label::kUncertain || label == online.label[row]) continue;
+    if (!s.overrules(*voxel, label, online.label[row])) continue;
     // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
     const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
     if (s.parameters.take_feet_along && online.label[row] == Label::kDynamic && above) continue;

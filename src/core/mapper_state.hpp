@@ -215,6 +215,7 @@ struct Mapper::State {
   /// Why a voxel is not static.
   Reason reason_of(const VoxelBlock& block, const VoxelRef& voxel, Label label, const ScanView& view) const;
   void calibrate();
+  bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
 
   // objects.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);

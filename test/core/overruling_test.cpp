@@ -1,0 +1,39 @@
+// What the map says in the end of a mover that nobody could look through afterwards.
+#include <gtest/gtest.h>
+
+#include "core/receding_van.hpp"
+#include "stillmap/mapper.hpp"
+
+namespace stillmap {
+namespace {
+
+/// Share of the van's returns in its last scans that are dynamic in the end.
+double share_that_moves_in_the_end(int hits_to_overrule) {
+  constexpr int kScans = 20, kLast = 4;
+  Parameters parameters;
+  parameters.hits_to_overrule = hits_to_overrule;
+  Mapper mapper(parameters);
+  const Van van{0.06F};  // each voxel is hit by two scans
+  std::vector<ScanLabels> online;
+  for (int k = 0; k < kScans; ++k) online.push_back(mapper.process(van.at(k), Eigen::Isometry3d::Identity()));
+  int rows = 0, moving = 0;
+  for (int k = kScans - kLast; k < kScans; ++k) {
+    const Scan scan = van.at(k);
+    const ScanLabels end = mapper.relabel(scan, Eigen::Isometry3d::Identity(), online[k]);
+    for (std::size_t row = 0; row < scan.points.size(); ++row) {
+      if (online[k].label[row] != Label::kDynamic) continue;
+      ++rows;
+      moving += end.label[row] == Label::kDynamic;
+    }
+  }
+  EXPECT_GT(rows, 100);
+  return static_cast<double>(moving) / rows;
+}
+
+TEST(Overruling, TakesMoreThanAFewReturnsOfTheMoverItself) {
+  EXPECT_GT(share_that_moves_in_the_end(5), 0.99);
+  EXPECT_LT(share_that_moves_in_the_end(0), 0.9);
+}
+
+}  // namespace
+}  // namespace stillmap
