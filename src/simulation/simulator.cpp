@@ -42,6 +42,15 @@ SimulationOptions filled(SimulationOptions options) {
   return options;
 }
 
+simulation::SensorModel sensor_of(const SimulationOptions& options) {
+  simulation::SensorModel sensor = simulation::sensor_model(options.sensor);
+  if (options.columns == 0) return sensor;
+  require(sensor.pattern == simulation::ScanPattern::kSpinning && options.columns <= 4096, "columns",
+          static_cast<double>(options.columns), "at most 4096, to a sensor that spins");
+  sensor.columns = options.columns;
+  return sensor;
+}
+
 double duration_s(const SimulationOptions& options) {
   return static_cast<double>(options.scans) / options.rate_hz;
 }
@@ -60,7 +69,7 @@ std::vector<Eigen::Isometry3d> sensor_poses(const simulation::Scene& scene,
 struct Simulator::State {
   explicit State(const SimulationOptions& given)
       : options(filled(given)),
-        sensor(simulation::sensor_model(options.sensor)),
+        sensor(sensor_of(options)),
         scene(simulation::scene_kind(options.scene)
                   .make({options.seed, duration_s(options), *options.ego_speed_mps})),
         caster(scene.world),

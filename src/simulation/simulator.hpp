@@ -25,6 +25,7 @@ struct SimulatedFrame {
 struct SimulationOptions {
   std::string scene = "street";         ///< one of scene_names()
   std::string sensor;                   ///< one of sensor_names(); empty = the scene's own
+  std::size_t columns = 0;              ///< of a sensor that spins, in a turn; 0 = the sensor's own
   std::uint64_t seed = 1;               ///< changes layout, counts, speeds and every noise
   std::size_t scans = 0;                ///< 0 = the scene's own
   double rate_hz = 10.0;                ///< sweeps in a second

@@ -60,6 +60,8 @@ void simulate_to_bag(const SimulateJob& job) {
 void add_world_options(CLI::App& command, SimulationOptions& options) {
   command.add_option("--sensor", options.sensor, "The LiDAR; the scene has its own")
       ->check(CLI::IsMember(Simulator::sensor_names()));
+  command.add_option("--columns", options.columns, "Of a turn, if it spins; 0 = the sensor's own")
+      ->capture_default_str();
   command.add_option("--seed", options.seed, "Changes layout, counts, speeds and noise")
       ->capture_default_str();
   command.add_option("--scans", options.scans, "How many; 0 = as the scene is made for")

@@ -26,6 +26,9 @@ void add_soak_command(CLI::App& app) {
   options->sequence.add_to(*command);
   options->parameters.add_to(*command);
   command->add_option("--scans", job.scans, "How many; three laps at least")->capture_default_str();
+  command->add_option("--rows", job.rows, "Of the table, at most; one has three laps at least")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   const auto limit = [&](const char* name, double& value, const char* help) {
     command->add_option(name, value, help)->check(CLI::NonNegativeNumber)->group("Fails above (0 = never)");
   };
@@ -33,7 +36,7 @@ void add_soak_command(CLI::App& app) {
   limit("--most-mb-per-km", job.most_mb_per_km, "Its growth over the second half of the way, MB per km");
   limit("--most-cost-ratio", job.most_cost_ratio, "CPU time of the last lap against a map of one lap");
   limit("--most-different-percent", job.most_different_percent,
-        "Labels of the last lap that such a map gives otherwise, %");
+        "Labels of a row's last lap that such a map gives otherwise, %");
   command->callback([options] {
     const Parameters parameters = options->parameters.resolve();
     soak(*options->sequence.open(), parameters, options->job);

@@ -25,7 +25,7 @@ double resident_mb() {
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
-/// One map on its way, and what it cost.
+/// One map on its way, and what it cost since the clock was set anew.
 struct Driver {
   Driver(const Parameters& parameters, TileStore* far_tiles) : mapper(parameters) {
     mapper.set_tile_store(far_tiles);
@@ -43,8 +43,8 @@ struct Driver {
   double last_ms() const { return clock.scans().cpu_ms.back(); }
 };
 
-/// The last lap by a map of the whole way and by one that began a lap before.
-struct LastLap {
+/// A lap by a map of the whole way and by one that began a lap before.
+struct ComparedLap {
   double old_ms = 0, young_ms = 0;
   std::size_t rows = 0, different = 0;
 
@@ -52,6 +52,7 @@ struct LastLap {
     rows += by_old.label.size();
     for (std::size_t i = 0; i < by_old.label.size(); ++i) different += by_old.label[i] != by_young.label[i];
   }
+  double cost_ratio() const { return old_ms / young_ms; }
   double different_percent() const {
     return 100.0 * static_cast<double>(different) / static_cast<double>(std::max<std::size_t>(1, rows));
   }
@@ -60,32 +61,33 @@ struct LastLap {
 /// The way travelled, with memory over it.
 struct Way {
   std::size_t scans = 0;
-  double km = 0, mb = 0, most_mb = 0, weighed_km = 0, half_way_km = 0, half_way_mb = 0;
+  double hours = 0, km = 0, mb = 0, most_mb = 0, weighed_km = 0, half_way_km = 0, half_way_mb = 0;
   Eigen::Vector3d place_map_m = Eigen::Vector3d::Zero();
 
   void go_on(const Frame& frame) {
     const Eigen::Vector3d next = frame.T_map_sensor.translation();
     if (scans++ > 0) km += (next - place_map_m).norm() * 1e-3;
     place_map_m = next;
+    hours = static_cast<double>(frame.scan.stamp_ns) * 1e-9 / 3600;
   }
-  void weigh(bool is_half) {
+  void weigh(bool is_beyond_half) {
     mb = resident_mb();
     most_mb = std::max(most_mb, mb);
     weighed_km = km;
-    if (!is_half) return;
+    if (!is_beyond_half || half_way_mb > 0) return;
     half_way_km = km;
     half_way_mb = mb;
   }
   double mb_per_km() const { return (mb - half_way_mb) / std::max(1e-6, weighed_km - half_way_km); }
 };
 
-/// The newest `scans` scans.
-void print_row(std::size_t scan, const Way& way, const Driver& driver, std::size_t scans) {
-  const std::vector<double>& cpu_ms = driver.clock.scans().cpu_ms;
-  std::vector<double> window(cpu_ms.end() - static_cast<std::ptrdiff_t>(scans), cpu_ms.end());
-  std::sort(window.begin(), window.end());
-  std::printf("%8zu %8.3f %9.2f %9.2f %10.1f %12zu\n", scan, way.km, window[window.size() / 2], window.back(),
-              way.mb, driver.mapper.voxel_count());
+/// The scans since the clock was set anew.
+void print_row(const Way& way, const Driver& driver, const ComparedLap& lap) {
+  std::vector<double> cpu_ms = driver.clock.scans().cpu_ms;
+  std::sort(cpu_ms.begin(), cpu_ms.end());
+  std::printf("%8zu %7.2f %8.3f %8.2f %8.2f %10.1f %9zu %6.2f %12.2f\n", way.scans, way.hours, way.km,
+              cpu_ms[cpu_ms.size() / 2], cpu_ms.back(), way.mb, driver.mapper.voxel_count(), lap.cost_ratio(),
+              lap.different_percent());
   std::fflush(stdout);
 }
 
@@ -101,32 +103,44 @@ void check(const char* what, double seen, double most) {
 }  // namespace
 
 void soak(Sequence& lap, const Parameters& parameters, const SoakJob& job) {
-  const std::size_t scans = std::max(job.scans, 3 * lap.size());
-  const std::size_t young_from = scans - 2 * lap.size(), last_lap_from = scans - lap.size();
-  const std::size_t row_every = std::max<std::size_t>(1, scans / 20);
+  const std::size_t laps = 3, scans = std::max(job.scans, laps * lap.size());
+  const std::size_t stretches = std::clamp<std::size_t>(scans / (laps * lap.size()), 1, job.rows);
   LoopedSequence sequence(lap, scans);
   const auto far_tiles = open_tile_folder(parameters, say);
-  Driver old(parameters, far_tiles.get()), young(parameters, nullptr);
+  Driver old(parameters, far_tiles.get());
   Way way;
-  LastLap last_lap;
-  std::printf("    scan       km    cpu_ms    max_ms  memory_mb       voxels\n");
-  for (std::size_t k = 0; k < scans; ++k) {
-    const Frame frame = sequence.read(k);
-    const ScanLabels& by_old = old.drive(frame);
-    way.go_on(frame);
-    if (k < young_from) way.weigh(k == young_from / 2);  // later there are two maps
-    if ((k + 1) % row_every == 0) print_row(k + 1, way, old, row_every);
-    if (k < young_from) continue;
-    const ScanLabels& by_young = young.drive(frame);
-    if (k < last_lap_from) continue;
-    last_lap.add(by_old, by_young);
-    last_lap.old_ms += old.last_ms();
-    last_lap.young_ms += young.last_ms();
+  double most_different_percent = 0, last_cost_ratio = 0;
+  std::printf("    scan   hours       km   cpu_ms   max_ms  memory_mb    voxels   cost  different_%%\n");
+  for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
+    const std::size_t end = scans * (stretch + 1) / stretches;
+    const std::size_t young_from = end - 2 * lap.size(), compared_from = end - lap.size();
+    const std::size_t half = (scans - 2 * lap.size()) / 2;
+    old.clock = EngineClock();
+    for (; way.scans < young_from; way.weigh(way.scans > half)) {  // without the second map
+      const Frame frame = sequence.read(way.scans);
+      old.drive(frame);
+      way.go_on(frame);
+    }
+    Driver young(parameters, nullptr);
+    ComparedLap compared;
+    while (way.scans < end) {
+      const Frame frame = sequence.read(way.scans);
+      const ScanLabels& by_old = old.drive(frame);
+      const ScanLabels& by_young = young.drive(frame);
+      way.go_on(frame);
+      if (way.scans <= compared_from) continue;
+      compared.add(by_old, by_young);
+      compared.old_ms += old.last_ms();
+      compared.young_ms += young.last_ms();
+    }
+    print_row(way, old, compared);
+    most_different_percent = std::max(most_different_percent, compared.different_percent());
+    last_cost_ratio = compared.cost_ratio();
   }
   check("memory, MB", way.most_mb, job.most_mb);
   check("growth of memory over the second half, MB per km", way.mb_per_km(), job.most_mb_per_km);
-  check("cost per scan against a map of one lap", last_lap.old_ms / last_lap.young_ms, job.most_cost_ratio);
-  check("labels that differ from those of a map of one lap, %", last_lap.different_percent(),
+  check("cost per scan against a map of one lap", last_cost_ratio, job.most_cost_ratio);
+  check("labels that differ from those of a map of one lap, %", most_different_percent,
         job.most_different_percent);
 }
 
