@@ -121,10 +121,7 @@ void stage_of_a_scan(benchmark::State& state, Stage stage) {
     SimulationOptions options;
     options.sensor = "hdl64";
     options.scans = 30;
-    const Simulator simulator(options);
-    std::vector<Frame> all;
-    for (std::size_t k = 0; k < options.scans; ++k) all.push_back(simulator.frame(k).frame);
-    return all;
+    return Simulator(options).frames();
   }();
   constexpr std::size_t kWarmUp = 15;
   StageClock clock(stage);

@@ -130,9 +130,7 @@ int main(int argc, char** argv) {
     options.scene = scene;
     options.sensor = sensor;
     options.scans = scans;
-    const Simulator simulator(options);
-    std::vector<Frame> frames;
-    for (std::size_t k = 0; k < scans; ++k) frames.push_back(simulator.frame(k).frame);
+    const std::vector<Frame> frames = Simulator(options).frames();
     const std::string name = std::string(scene) + " " + sensor;
     for (const int threads : {1, 2}) run(frames, name.c_str(), threads);
   }

@@ -4,6 +4,7 @@
 
 #include "mapper_checks.hpp"
 #include "mapper_state.hpp"
+#include "stillmap/worker_threads.hpp"
 
 namespace stillmap {
 namespace {
@@ -40,7 +41,7 @@ Mapper::State::State(const Parameters& p)
       rolling(map, reach_m() + kColumnsAround_m, p.rolling_radius_m),
       submaps(p.submap_length_m),
       own_hit(hit_evidence(models)),
-      arena(p.threads),
+      arena(worker_threads(p)),
       every_voxel_is_judged(p.evidence_goes_to == "every_voxel") {
   if (p.hit_is_support) untold.set_log_odds(recursion(0, own_hit.increment(0)));
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "io/tile_folder.hpp"
+#include "stillmap/worker_threads.hpp"
 
 namespace stillmap {
 namespace {
@@ -42,6 +43,8 @@ StillmapRos::StillmapRos(ros::NodeHandle nh, ros::NodeHandle private_nh)
       prior_map_(service_thread_.handle(), shared_, MapDirectory(settings_.node.map_directory),
                  [this] { return input_.fixed_frame(); }),
       corrections_(nh, settings_.node, log_) {
+  const std::string too_many_threads = threads_message(settings_.method);
+  if (!too_many_threads.empty()) ROS_WARN_STREAM("stillmap: " << too_many_threads);
   shared_.mapper.set_listener(&stage_timer_);
   shared_.mapper.set_tile_store(shared_.far_tiles.get());
   resume(shared_.mapper, settings_.node.load_map, settings_.node.save_map);

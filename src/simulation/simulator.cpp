@@ -118,6 +118,12 @@ SimulatedFrame Simulator::frame(std::size_t k) const {
   return frame;
 }
 
+std::vector<Frame> Simulator::frames() const {
+  std::vector<Frame> all;
+  for (std::size_t k = 0; k < size(); ++k) all.push_back(frame(k).frame);
+  return all;
+}
+
 std::vector<std::string> Simulator::scene_names() {
   std::vector<std::string> names;
   for (const simulation::SceneKind& kind : simulation::scene_kinds()) names.push_back(kind.name);

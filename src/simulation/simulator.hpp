@@ -52,6 +52,7 @@ class Simulator {
 
   std::size_t size() const;
   SimulatedFrame frame(std::size_t k) const;  ///< safe to call from several threads
+  std::vector<Frame> frames() const;          ///< all of them, without what is known about them
 
   static std::vector<std::string> scene_names();
   static std::vector<std::string> sensor_names();

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "io/parameters_yaml.hpp"
+#include "stillmap/worker_threads.hpp"
+#include "tools/say.hpp"
 
 namespace stillmap {
 
@@ -28,6 +30,7 @@ Parameters ParameterOptions::resolve() const {
   }
   if (threads > 0) parameters.threads = threads;
   check_parameters(parameters, "parameters");
+  if (const std::string message = threads_message(parameters); !message.empty()) say(message);
   return parameters;
 }
 

@@ -1,10 +1,12 @@
 // The same input gives the same output, bit for bit, with any number of threads.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cstring>
 
 #include "simulation/simulator.hpp"
 #include "stillmap/mapper.hpp"
+#include "stillmap/worker_threads.hpp"
 
 namespace stillmap {
 namespace {
@@ -19,13 +21,12 @@ std::vector<Frame> recorded(const std::string& scene, const std::string& sensor,
   options.scene = scene;
   options.sensor = sensor;
   options.scans = scans;
-  const Simulator simulator(options);
-  std::vector<Frame> frames;
-  for (std::size_t k = 0; k < scans; ++k) frames.push_back(simulator.frame(k).frame);
-  return frames;
+  return Simulator(options).frames();
 }
 
+/// Also where the machine has fewer: a mapper takes no more than TBB allows.
 Output processed(const std::vector<Frame>& frames, Parameters p, int threads) {
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 8);
   p.threads = threads;
   Mapper mapper(p);
   Output output;
@@ -61,6 +62,18 @@ TEST(Determinism, AnyNumberOfThreadsAndEveryRun) {
     expect_same(processed(frames, preset("default"), 2), one);
     expect_same(processed(frames, preset("default"), 8), one);
   }
+}
+
+TEST(Threads, NoMoreThanAreGivenAreAskedForAndItIsTold) {
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 3);
+  Parameters p;
+  p.threads = 3;
+  EXPECT_EQ(threads_message(p), "");
+  p.threads = 8;
+  EXPECT_EQ(threads_message(p), "parameter threads is 8: this machine gives 3, so 3 are used");
+  testing::internal::CaptureStderr();
+  const Mapper mapper(p);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "TBB's own warning";
 }
 
 TEST(Determinism, ThePaperToo) {

@@ -167,9 +167,7 @@ std::vector<Frame> there_and_back() {
   options.sensor = "vlp16";
   options.ego_speed_mps = 30;
   options.scans = 40;
-  const Simulator simulator(options);
-  std::vector<Frame> frames;
-  for (std::size_t k = 0; k < options.scans; ++k) frames.push_back(simulator.frame(k).frame);
+  std::vector<Frame> frames = Simulator(options).frames();
   for (std::size_t k = options.scans; k-- > 0;) frames.push_back(frames[k]);
   return frames;
 }

@@ -83,10 +83,7 @@ std::vector<Frame> recorded() {
   options.scene = "street";
   options.sensor = "hdl64";
   options.scans = kScans;
-  const Simulator simulator(options);
-  std::vector<Frame> frames;
-  for (std::size_t k = 0; k < kScans; ++k) frames.push_back(simulator.frame(k).frame);
-  return frames;
+  return Simulator(options).frames();
 }
 
 /// CPU time of the scans after the warm-up, in a Mapper of its own.

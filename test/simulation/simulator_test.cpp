@@ -65,6 +65,14 @@ TEST(Simulator, GivesTheSameBytesInAnyOrder) {
   EXPECT_TRUE(same(a3, first.frame(3)));
 }
 
+TEST(Simulator, FewerColumnsThinTheScan) {
+  SimulationOptions options = short_scene("street");
+  const std::size_t all = Simulator(options).frame(0).frame.scan.points.size();
+  options.columns = 180;
+  const double tenth = static_cast<double>(Simulator(options).frame(0).frame.scan.points.size());
+  EXPECT_NEAR(tenth, static_cast<double>(all) / 10, static_cast<double>(all) / 100);
+}
+
 TEST(Simulator, SeedsMakeOtherWorlds) {
   SimulationOptions options = short_scene("street");
   const SimulatedFrame one = Simulator(options).frame(0);
@@ -129,6 +137,8 @@ TEST(Simulator, BadOptionsAreRefusedByName) {
   EXPECT_TRUE(names(refusal([](Options& o) { o.rate_hz = std::nan(""); }), "rate_hz"));
   EXPECT_TRUE(names(refusal([](Options& o) { o.ego_speed_mps = -1; }), "ego_speed_mps"));
   EXPECT_TRUE(names(refusal([](Options& o) { o.drop_percent = 101; }), "drop_percent"));
+  EXPECT_TRUE(names(refusal([](Options& o) { o.columns = 5000; }), "columns"));
+  EXPECT_TRUE(names(refusal([](Options& o) { o.sensor = "livox", o.columns = 100; }), "columns"));
   EXPECT_THROW(Simulator(short_scene("plaza")).frame(6), std::invalid_argument);
 }
 
