@@ -21,12 +21,14 @@ install(TARGETS stillmap_core EXPORT stillmapTargets
 install(EXPORT stillmapTargets NAMESPACE stillmap:: DESTINATION ${cmake_package})
 
 # The command line, by its bare name too.
-install(TARGETS stillmap RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/link)
-file(CREATE_LINK ../${CATKIN_PACKAGE_BIN_DESTINATION}/stillmap ${CMAKE_BINARY_DIR}/link/stillmap SYMBOLIC)
-#catkin_lint: ignore_once missing_file
-install(FILES ${CMAKE_BINARY_DIR}/link/stillmap DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
-install(PROGRAMS scripts/plot_report.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+if(STILLMAP_BUILD_TOOLS)
+  install(TARGETS stillmap RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/link)
+  file(CREATE_LINK ../${CATKIN_PACKAGE_BIN_DESTINATION}/stillmap ${CMAKE_BINARY_DIR}/link/stillmap SYMBOLIC)
+  #catkin_lint: ignore_once missing_file
+  install(FILES ${CMAKE_BINARY_DIR}/link/stillmap DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
+  install(PROGRAMS scripts/plot_report.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endif()
 install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES LICENSE CHANGELOG.rst DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
