@@ -19,11 +19,12 @@ Reason Votes::verdict(float static_share) const {
   constexpr float kHalf = 0.5F;
   const auto decided = static_cast<float>(dynamic + is_static);
   const auto all = static_cast<float>(rows);
+  // First, for it is a sighting of its own: it takes along what only just turned static, and is followed.
+  if (replaces_vanished()) return Reason::kReplacedVanished;
   if (dynamic >= kFew && dynamic >= kDynamicShare * all && dynamic >= kDynamicMajority * decided)
     return Reason::kObjectMoves;
   if (leaning >= kFew && leaning >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (followed >= kFew && followed >= kHalf * all && !known_before()) return Reason::kObjectMoves;
-  if (replaces_vanished()) return Reason::kReplacedVanished;
   if (is_static >= static_share * all && is_static >= kStaticMajority * decided) return Reason::kObjectStands;
   return Reason::kMixedEvidence;
 }

@@ -31,6 +31,7 @@ TEST(Votes, Verdict) {
       {"less than a tenth did", {100, 0, 0, 0, 0, 70, 6}, Reason::kMixedEvidence},
       {"a tenth did, but part of it stands", {100, 0, 11, 0, 0, 60, 10}, Reason::kMixedEvidence},
       {"few rows, half of which found nothing gone", {20, 0, 0, 0, 0, 11, 5}, Reason::kMixedEvidence},
+      {"it moves and replaced what vanished", {100, 40, 30, 0, 60, 40, 20}, Reason::kReplacedVanished},
       {"something vanished before known surface", {100, 0, 60, 60, 0, 40, 40}, Reason::kObjectStands},
       {"static rows are enough", {100, 0, 50, 0, 0, 0, 0}, Reason::kObjectStands},
       {"static rows are too few", {100, 0, 49, 0, 0, 0, 0}, Reason::kMixedEvidence},
