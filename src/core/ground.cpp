@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "for_rows.hpp"
 #include "vector_clones.hpp"
@@ -79,26 +80,34 @@ void Ground::settle_on_returns(const UprightRows& rows, const ProjectedScan& sca
 }
 
 float Ground::seed_height() const {
-  // The low cells of the near field: a quantile, since a few may lie below the ground (reflections) and many
-  // above.
-  std::vector<float> near;
+  // A low cell, but not the lowest, since a few may lie below the ground (reflections). Most may lie above: a
+  // sensor that hardly looks down sees the ground far off only, and the sides of what is near. What lies low
+  // at the foot of a slope does not count as lower.
+  constexpr int kAroundRings = 30;
+  constexpr float kSlope = 0.08F;
+  constexpr double kLow = 0.05;
+  std::vector<std::pair<float, float>> cells;  // how low for its distance, height
   for (int sector = 0; sector < kSectors; ++sector)
-    for (int ring = 0; ring < 15; ++ring)
-      if (lowest_[sector * kRings + ring] < kNothing) near.push_back(lowest_[sector * kRings + ring]);
-  if (near.empty()) return 0;
-  const auto nth = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 5);
-  std::nth_element(near.begin(), nth, near.end());
-  return *nth;
+    for (int ring = 0; ring < kAroundRings; ++ring) {
+      const float lowest = lowest_[sector * kRings + ring];
+      if (lowest < kNothing) cells.emplace_back(lowest + kSlope * kRingM * static_cast<float>(ring), lowest);
+    }
+  if (cells.empty()) return 0;
+  const auto low = cells.begin() + static_cast<std::ptrdiff_t>(kLow * static_cast<double>(cells.size()));
+  std::nth_element(cells.begin(), low, cells.end());
+  return low->second;
 }
 
 void Ground::walk(int sector, float seed) {
   constexpr float kSlope = 0.18F, kRoughM = 0.15F;
+  constexpr int kSlopeGoesOnRings = 5;  // farther, what stands there alone is more likely
   steps_.clear();
   steps_.push_back({-1, seed});
   for (int ring = 0; ring < kRings; ++ring) {
     const float lowest = lowest_[sector * kRings + ring];
     const Step& last = steps_.back();
-    const float reach = kRoughM + kSlope * kRingM * static_cast<float>(std::min(ring - last.ring, 10));
+    const float reach =
+        kRoughM + kSlope * kRingM * static_cast<float>(std::min(ring - last.ring, kSlopeGoesOnRings));
     if (lowest < kNothing && std::abs(lowest - last.height_m) <= reach) {
       steps_.push_back({ring, lowest});
       forget_bump();

@@ -103,6 +103,19 @@ TEST(Ground, WhatStandsOnItIsNotGround) {
   EXPECT_EQ(heights_m.back(), std::numeric_limits<float>::infinity());
 }
 
+TEST(Ground, ASensorThatHardlyLooksDownDoesNotTakeThingsForIt) {
+  // Its lowest beams meet the ground 14 m away, but for a gap walls all around at 4 m, a metre above it.
+  const Rings sensor{64, 1024, -7, 52};
+  const Scan scan = sensor.scan([](float azimuth, float elevation) {
+    const float ground_m = elevation < 0 ? 1.7F / std::sin(-elevation) : 1e3F;
+    const float range_m = std::min(ground_m, std::abs(azimuth) < 0.3F ? 1e3F : 4 / std::cos(elevation));
+    return range_m < 70 ? range_m : 0.0F;
+  });
+  const Ground ground = fitted_to(scan, kUpright);
+  EXPECT_GT(heights_above(ground, {{-4, 0, -0.49F}}, kUpright).front(), 1.0F);
+  EXPECT_NEAR(heights_above(ground, {{20, 0, -1.7F}}, kUpright).front(), 0, 0.05);
+}
+
 TEST(Ground, ATiltedSensorSeesTheSameGround) {
   const Eigen::Matrix3f R_map_sensor =
       Eigen::AngleAxisf(0.15F, Eigen::Vector3f(0.6F, 0.8F, 0)).toRotationMatrix();
