@@ -2,6 +2,7 @@
 #include <tsl/robin_map.h>
 
 #include "for_rows.hpp"
+#include "joint_verdict.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -150,8 +151,7 @@ void Mapper::State::decide_by_vote() {
     const std::int32_t object = clusters.of_row()[row];
     const bool just_static = labels.label[row] == Label::kStatic && !clues[row].established;
     if (object == Clusters::kNone || !(labels.label[row] == Label::kUncertain || just_static)) continue;
-    Reason reason = patch_votes[patch_of_row[row]].verdict(kPatchStatic);
-    if (reason == Reason::kMixedEvidence) reason = object_votes[object].verdict(kObjectStatic);
+    const Reason reason = joint_verdict(patch_votes[patch_of_row[row]], object_votes[object]);
     if (reason == Reason::kMixedEvidence) continue;
     const bool follows = parameters.follow_objects && object_votes[object].moves_as_a_whole();
     if (just_static && reason != Reason::kReplacedVanished && !follows) continue;

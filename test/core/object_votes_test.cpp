@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/joint_verdict.hpp"
+
 namespace stillmap {
 namespace {
 
@@ -39,6 +41,17 @@ TEST(Votes, Verdict) {
       {"more than a tenth does", {100, 7, 54, 0, 0, 0, 0}, Reason::kMixedEvidence},
   };
   for (const Case& c : cases) EXPECT_EQ(c.votes.verdict(/*static_share=*/0.5F), c.verdict) << c.what;
+}
+
+TEST(Votes, AFewRowsOfWhatStandsDoNotMoveTheirPatch) {
+  const Votes standing{1000, 50, 800, 0, 0, 0, 0}, moving{1000, 400, 100, 0, 0, 0, 0};
+  const Votes few{100, 20, 0, 0, 0, 0, 0}, many{100, 60, 10, 0, 0, 0, 0}, vanished{100, 20, 0, 0, 0, 40, 30};
+  EXPECT_EQ(joint_verdict(few, standing), Reason::kObjectStands);
+  EXPECT_EQ(joint_verdict(few, moving), Reason::kObjectMoves);
+  EXPECT_EQ(joint_verdict(many, standing), Reason::kObjectMoves);
+  EXPECT_EQ(joint_verdict(vanished, standing), Reason::kReplacedVanished);
+  EXPECT_EQ(joint_verdict(Votes{100, 0, 0, 0, 0, 0, 0}, moving), Reason::kObjectMoves)
+      << "the patch says nothing";
 }
 
 TEST(Votes, MovesAsAWhole) {
