@@ -5,13 +5,13 @@ namespace {
 
 /// Returns that a patch of `edge_m` gets at this range; what is smaller is a speck.
 float speck_rows(float edge_m, float range_m, SensorGeometry beams) {
-  constexpr float kLeast = 3.0F, kMost = 200.0F;
+  constexpr float kLeast = 5.0F, kMost = 200.0F;
   const float angle_rad = edge_m / range_m;
   return std::clamp(angle_rad * angle_rad / (beams.ring_spacing_rad * beams.azimuth_step_rad), kLeast, kMost);
 }
 
 bool mostly_static(const Votes& votes) {
-  constexpr float kMajority = 0.8F;
+  constexpr float kMajority = 0.65F;
   return static_cast<float>(votes.is_static) >
          kMajority * static_cast<float>(votes.is_static + votes.dynamic);
 }
