@@ -3,95 +3,86 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "cluster_links.hpp"
 #include "for_rows.hpp"
-#include "vector_clones.hpp"
 
 namespace stillmap {
-namespace {
-
-/// A neighbour of a pixel, ahead of it; the one behind finds it in turn.
-struct Step {
-  int columns, rows;
-};
-constexpr std::array<Step, 10> kSteps = {
-    {{0, 1}, {0, 2}, {1, -2}, {1, -1}, {1, 0}, {1, 1}, {1, 2}, {2, -1}, {2, 0}, {2, 1}}};
-
-/// The nearest returns of some pixels of a column, one coordinate after the other.
-struct Pixels {
-  const float *x_m, *y_m, *z_m, *range_m;
-};
-
-/// Two returns are one surface; NaN never is.
-inline bool together(float dx, float dy, float dz, float nearer_range_m, float reach_per_m) {
-  const float reach_m = 0.25F + reach_per_m * nearer_range_m;
-  return dx * dx + (dy * dy + dz * dz) <= reach_m * reach_m;
+inline float Clusters::range_of(Nearest nearest) {
+  const auto bits = static_cast<std::uint32_t>(nearest >> 32);
+  float range_m;
+  std::memcpy(&range_m, &bits, sizeof range_m);
+  return range_m;
 }
 
-/// Sets `bit` in the links of each of n pixels that is one surface with its neighbour.
-STILLMAP_VECTOR_CLONES void link(std::size_t n, const Pixels here, const Pixels there, float reach_per_m,
-                                 std::uint16_t bit, std::uint16_t* __restrict links) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool linked =
-        together(here.x_m[i] - there.x_m[i], here.y_m[i] - there.y_m[i], here.z_m[i] - there.z_m[i],
-                 std::min(here.range_m[i], there.range_m[i]), reach_per_m);
-    links[i] = static_cast<std::uint16_t>(links[i] | (linked ? bit : 0));
-  }
+inline Clusters::Nearest Clusters::nearest(float range_m, std::uint32_t row) {
+  std::uint32_t bits;  // of positive numbers they are in their order
+  std::memcpy(&bits, &range_m, sizeof bits);
+  return Nearest{bits} << 32 | row;
 }
-
-}  // namespace
 
 void Clusters::find(const ProjectedScan& scan, SensorGeometry geometry,
-                    const std::vector<std::uint8_t>& use) {
+                    const std::vector<std::uint32_t>& rows) {
   // Pixels a little finer than the beams: each ring has rows of its own, with at most one empty row between
   // two.
   grid_ = SphericalGrid(2.0F * geometry.azimuth_step_rad, 0.75F * geometry.ring_spacing_rad,
                         scan.elevation_min_rad, scan.elevation_max_rad);
   reach_per_m_ = 1.2F * std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
-  place_rows(scan, use);
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, grid_.columns, 64),
-      [this](const tbb::blocked_range<int>& columns) { link_columns(columns.begin(), columns.end()); });
-  join_links();
-  name_clusters(scan);
+  place_rows(scan, rows);
+  roots_.resize(static_cast<std::size_t>((grid_.columns + kStripe - 1) / kStripe));
+  tbb::parallel_for(std::size_t{0}, roots_.size(), [&](std::size_t stripe) {
+    const int first = static_cast<int>(stripe) * kStripe, last = std::min(first + kStripe, grid_.columns);
+    link_columns(scan, first, last);
+    join_stripe(first, last, roots_[stripe]);
+  });
+  join_stripes();
+  name_clusters(scan, rows);
 }
 
-void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use) {
-  pixel_of_row_.resize(scan.size());
-  for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
-    grid_.pixels(last - first, &scan.azimuth_rad[first], &scan.elevation_rad[first], &pixel_of_row_[first]);
-    for (std::size_t row = first; row < last; ++row)
-      pixel_of_row_[row] = use[row] != 0 ? pixel_of_row_[row] : -1;
+void Clusters::place_rows(const ProjectedScan& scan, const std::vector<std::uint32_t>& rows) {
+  pixel_.resize(rows.size());
+  column_.resize(rows.size());
+  for_rows(rows.size(), [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t kAtOnce = 512;
+    float azimuth_rad[kAtOnce], elevation_rad[kAtOnce];
+    for (; first < last; first += kAtOnce) {
+      const std::size_t n = std::min(kAtOnce, last - first);
+      for (std::size_t i = 0; i < n; ++i) {
+        azimuth_rad[i] = scan.azimuth_rad[rows[first + i]];
+        elevation_rad[i] = scan.elevation_rad[rows[first + i]];
+      }
+      grid_.pixels(n, azimuth_rad, elevation_rad, &pixel_[first]);
+      for (std::size_t i = 0; i < n; ++i) column_[first + i] = grid_.column(azimuth_rad[i]);
+    }
   });
   empty_columns();
-  for (std::size_t row = 0; row < scan.size(); ++row) {
-    if (pixel_of_row_[row] < 0) continue;
-    column_used_[pixel_of_row_[row] / grid_.rows] = 1;
-    Return& nearest = nearest_[pixel_of_row_[row]];
-    if (scan.range_m[row] < nearest.range_m)
-      nearest = {scan.x_m[row], scan.y_m[row], scan.z_m[row], scan.range_m[row],
-                 static_cast<std::int32_t>(row)};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Span& used = used_[column_[i]];
+    const int row = pixel_[i] - column_[i] * grid_.rows;
+    used = {std::min(used.low, row), std::max(used.high, row + 1)};
+    Nearest& there = nearest_[pixel_[i]];
+    there = std::min(there, nearest(scan.range_m[rows[i]], rows[i]));
   }
 }
 
 void Clusters::empty_columns() {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  constexpr Return kNoReturn{kNaN, kNaN, kNaN, kInfinity, kNone};
-  const auto columns = static_cast<std::size_t>(grid_.columns);
-  if (nearest_.size() == grid_.size() && column_used_.size() == columns) {
-    for_each_used_pixel([&](std::size_t pixel) { nearest_[pixel] = kNoReturn; });
+  const auto columns = static_cast<std::size_t>(grid_.columns), rows = static_cast<std::size_t>(grid_.rows);
+  if (nearest_.size() == grid_.size() && used_.size() == columns) {
+    for (std::size_t column = 0; column < columns; ++column)
+      for (int row = used_[column].low; row < used_[column].high; ++row)
+        nearest_[column * rows + static_cast<std::size_t>(row)] = kNothing;
   } else {
-    nearest_.assign(grid_.size(), kNoReturn);
+    nearest_.assign(grid_.size(), kNothing);
     links_.resize(grid_.size());
     parent_.resize(grid_.size());
     name_.resize(grid_.size());
   }
-  column_used_.assign(columns, 0);
+  used_.assign(columns, Span{grid_.rows, 0});
 }
 
-void Clusters::link_columns(int first, int last) {
+void Clusters::link_columns(const ProjectedScan& scan, int first, int last) {
   // Three columns one coordinate after the other: this one and the next two.
   const auto rows = static_cast<std::size_t>(grid_.rows);
   std::vector<float> planes(3 * 4 * rows);
@@ -99,105 +90,94 @@ void Clusters::link_columns(int first, int last) {
     return &planes[(static_cast<std::size_t>(column % 3) * 4 + coordinate) * rows];
   };
   const auto load = [&](int column) {
-    const Return* returns = &nearest_[static_cast<std::size_t>(column % grid_.columns) * rows];
-    float *x = plane(column, 0), *y = plane(column, 1), *z = plane(column, 2), *range = plane(column, 3);
-    for (std::size_t row = 0; row < rows; ++row) {
-      x[row] = returns[row].x_m;
-      y[row] = returns[row].y_m;
-      z[row] = returns[row].z_m;
-      range[row] = returns[row].range_m;
-    }
+    // As far as it is looked at from the columns before.
+    Span looked_at{grid_.rows, 0};
+    for (int before = std::max(first, column - 2); before <= column && before < last; ++before)
+      if (!used_[before].empty())
+        looked_at = {std::min(looked_at.low, used_[before].low - 2),
+                     std::max(looked_at.high, used_[before].high + 2)};
+    load_column(scan, column % grid_.columns, looked_at,
+                {plane(column, 0), plane(column, 1), plane(column, 2), plane(column, 3)});
   };
   const auto at = [&](int column, int row) {
-    return Pixels{plane(column, 0) + row, plane(column, 1) + row, plane(column, 2) + row,
-                  plane(column, 3) + row};
+    return PixelReturns{plane(column, 0) + row, plane(column, 1) + row, plane(column, 2) + row,
+                        plane(column, 3) + row};
   };
   int loaded = first;
   for (int column = first; column < last; ++column) {
-    if (column_used_[column] == 0) continue;
+    const Span used = used_[column];
+    if (used.empty()) continue;
     for (loaded = std::max(loaded, column); loaded <= column + 2; ++loaded) load(loaded);
     std::uint16_t* links = &links_[static_cast<std::size_t>(column) * rows];
-    std::fill_n(links, rows, std::uint16_t{0});
-    for (std::size_t k = 0; k < kSteps.size(); ++k) {
-      const int low = std::max(0, -kSteps[k].rows), high = grid_.rows - std::max(0, kSteps[k].rows);
+    std::fill(links + used.low, links + used.high, std::uint16_t{0});
+    for (std::size_t k = 0; k < kPixelSteps.size(); ++k) {
+      const int low = std::max(used.low, -kPixelSteps[k].rows);
+      const int high = std::min(used.high, grid_.rows - std::max(0, kPixelSteps[k].rows));
       if (low < high)
-        link(static_cast<std::size_t>(high - low), at(column, low),
-             at(column + kSteps[k].columns, low + kSteps[k].rows), reach_per_m_,
-             static_cast<std::uint16_t>(1U << k), links + low);
+        link_pixels(static_cast<std::size_t>(high - low), at(column, low),
+                    at(column + kPixelSteps[k].columns, low + kPixelSteps[k].rows), reach_per_m_,
+                    static_cast<std::uint16_t>(1U << k), links + low);
     }
   }
 }
 
-inline std::int32_t Clusters::root(std::int32_t pixel) {
-  while (parent_[pixel] != pixel) pixel = parent_[pixel] = parent_[parent_[pixel]];
-  return pixel;
-}
-
-inline void Clusters::join(std::int32_t a, std::int32_t b) {
-  if (parent_[a] == parent_[b]) return;
-  const std::int32_t root_a = root(a), root_b = root(b), least = std::min(root_a, root_b);
-  parent_[root_a] = parent_[root_b] = parent_[a] = parent_[b] = least;
-}
-
-void Clusters::join_links() {
-  for_each_used_pixel([this](std::size_t pixel) { parent_[pixel] = static_cast<std::int32_t>(pixel); });
-  for (int column = 0; column < grid_.columns; ++column) {
-    if (column_used_[column] == 0) continue;
-    std::array<std::int32_t, kSteps.size()> to;
-    for (std::size_t k = 0; k < kSteps.size(); ++k)
-      to[k] = (column + kSteps[k].columns) % grid_.columns * grid_.rows + kSteps[k].rows;
-    for (int row = 0; row < grid_.rows; ++row)
-      for (unsigned links = links_[column * grid_.rows + row]; links != 0; links &= links - 1)
-        join(column * grid_.rows + row, to[__builtin_ctz(links)] + row);
+void Clusters::load_column(const ProjectedScan& scan, int column, Span span,
+                           const std::array<float*, 4>& planes) const {
+  const Nearest* nearest = &nearest_[static_cast<std::size_t>(column) * static_cast<std::size_t>(grid_.rows)];
+  for (int row = std::max(0, span.low); row < std::min(grid_.rows, span.high); ++row) {
+    const bool any = nearest[row] != kNothing;
+    const std::int32_t from = any ? row_of(nearest[row]) : 0;
+    planes[0][row] = any ? scan.x_m[from] : std::numeric_limits<float>::quiet_NaN();
+    planes[1][row] = scan.y_m[from];
+    planes[2][row] = scan.z_m[from];
+    planes[3][row] = range_of(nearest[row]);
   }
-  // Those before are roots by now.
-  for_each_used_pixel([this](std::size_t pixel) { parent_[pixel] = parent_[parent_[pixel]]; });
 }
 
 // A return that the nearest one of its pixel hides, at an edge, goes with what it touches in the pixels
 // around.
-std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::size_t row) const {
+std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::uint32_t row, std::int32_t own) const {
   constexpr int kAround = 2;
+  constexpr float kFar = std::numeric_limits<float>::infinity();
   const auto distance_m2 = [&](std::int32_t pixel) {
-    const Return& there = nearest_[pixel];
-    const float dx = there.x_m - scan.x_m[row], dy = there.y_m - scan.y_m[row],
-                dz = there.z_m - scan.z_m[row];
-    const bool linked = together(dx, dy, dz, std::min(there.range_m, scan.range_m[row]), reach_per_m_);
-    return linked ? dx * dx + (dy * dy + dz * dz) : std::numeric_limits<float>::infinity();
+    constexpr float kRoundingM = 0.01F;
+    const Nearest nearest = nearest_[pixel];
+    if (nearest == kNothing) return kFar;
+    const float range_m = range_of(nearest), nearer_m = std::min(range_m, scan.range_m[row]);
+    // Most are too far apart by their ranges alone.
+    if (std::abs(range_m - scan.range_m[row]) > reach_m(nearer_m, reach_per_m_) + kRoundingM) return kFar;
+    const std::int32_t there = row_of(nearest);
+    const float dx = scan.x_m[there] - scan.x_m[row], dy = scan.y_m[there] - scan.y_m[row],
+                dz = scan.z_m[there] - scan.z_m[row];
+    return together(dx, dy, dz, nearer_m, reach_per_m_) ? dx * dx + (dy * dy + dz * dz) : kFar;
   };
-  const std::int32_t own = pixel_of_row_[row];
-  if (std::isfinite(distance_m2(own))) return own;
+  if (row_of(nearest_[own]) == static_cast<std::int32_t>(row) || distance_m2(own) < kFar) return own;
   const int own_column = own / grid_.rows, own_row = own % grid_.rows;
-  const int low = std::max(0, own_row - kAround), high = std::min(grid_.rows - 1, own_row + kAround);
   std::int32_t closest = kNone;
-  float closest_m2 = std::numeric_limits<float>::infinity();
-  for (int column = own_column - kAround; column <= own_column + kAround; ++column)
-    for (int r = low; r <= high; ++r) {
-      const std::int32_t pixel = (column + grid_.columns) % grid_.columns * grid_.rows + r;
+  float closest_m2 = kFar;
+  for (int c = own_column - kAround; c <= own_column + kAround; ++c) {
+    const int column = (c + grid_.columns) % grid_.columns;
+    const int low = std::max(used_[column].low, own_row - kAround);
+    const int high = std::min(used_[column].high, own_row + kAround + 1);
+    for (int r = low; r < high; ++r) {
+      const std::int32_t pixel = column * grid_.rows + r;
       const float m2 = distance_m2(pixel);
       if (m2 < closest_m2) closest_m2 = m2, closest = pixel;
     }
+  }
   return closest;
 }
 
-void Clusters::name_clusters(const ProjectedScan& scan) {
-  of_row_.resize(scan.size());
-  for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row) {
-      of_row_[row] = kNone;
-      if (pixel_of_row_[row] < 0) continue;
-      const std::int32_t surface = surface_of(scan, row);
-      if (surface != kNone) of_row_[row] = parent_[surface];
+void Clusters::name_clusters(const ProjectedScan& scan, const std::vector<std::uint32_t>& rows) {
+  of_row_.assign(scan.size(), kNone);
+  for_rows(rows.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      std::int32_t pixel = surface_of(scan, rows[i], pixel_[i]);
+      if (pixel == kNone) continue;
+      while (parent_[pixel] != pixel) pixel = parent_[pixel];
+      of_row_[rows[i]] = name_[pixel];
     }
   });
-  for_each_used_pixel([this](std::size_t pixel) { name_[pixel] = kNone; });
-  count_ = 0;
-  for (std::int32_t& cluster : of_row_) {
-    if (cluster == kNone) continue;
-    std::int32_t& name = name_[cluster];
-    if (name == kNone) name = static_cast<std::int32_t>(count_++);
-    cluster = name;
-  }
 }
 
 }  // namespace stillmap

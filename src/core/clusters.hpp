@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,8 +15,8 @@ class Clusters {
  public:
   static constexpr std::int32_t kNone = -1;
 
-  /// Rows with use[row] == 0 take no part.
-  void find(const ProjectedScan& scan, SensorGeometry geometry, const std::vector<std::uint8_t>& use);
+  /// Of the rows that are given, ascending; they have a usable return. The others take no part.
+  void find(const ProjectedScan& scan, SensorGeometry geometry, const std::vector<std::uint32_t>& rows);
 
   /// Cluster of each row, 0 .. count() - 1, or kNone.
   const std::vector<std::int32_t>& of_row() const { return of_row_; }
@@ -30,43 +31,50 @@ class Clusters {
     const int row = grid_.row(elevation_rad), column = grid_.column(azimuth_rad);
     for (int c = column - 1; c <= column + 1; ++c)
       for (int r = std::max(0, row); r <= std::min(grid_.rows - 1, row + 3); ++r) {
-        const std::int32_t above = nearest_[(c + grid_.columns) % grid_.columns * grid_.rows + r].row;
-        if (above != kNone && test(above)) return true;
+        const Nearest above = nearest_[(c + grid_.columns) % grid_.columns * grid_.rows + r];
+        if (above != kNothing && test(row_of(above))) return true;
       }
     return false;
   }
 
  private:
-  void place_rows(const ProjectedScan& scan, const std::vector<std::uint8_t>& use);
+  /// The nearest return of a pixel: the bits of its range above its row, so that the least is the nearest.
+  using Nearest = std::uint64_t;
+  static constexpr Nearest kNothing = ~Nearest{0};
+  /// Columns that one task joins; what reaches over their edge is joined afterwards.
+  static constexpr int kStripe = 64;
+  static std::int32_t row_of(Nearest nearest) { return static_cast<std::int32_t>(nearest & 0xFFFFFFFF); }
+  static float range_of(Nearest nearest);
+  static Nearest nearest(float range_m, std::uint32_t row);
+  /// Some rows of a column.
+  struct Span {
+    int low, high;
+    bool empty() const { return low >= high; }
+  };
+
+  void place_rows(const ProjectedScan& scan, const std::vector<std::uint32_t>& rows);
   void empty_columns();
-  void link_columns(int first, int last);
-  void join_links();
-  std::int32_t surface_of(const ProjectedScan& scan, std::size_t row) const;
-  void name_clusters(const ProjectedScan& scan);
+  void link_columns(const ProjectedScan& scan, int first, int last);
+  void load_column(const ProjectedScan& scan, int column, Span span,
+                   const std::array<float*, 4>& planes) const;
+  std::int32_t surface_of(const ProjectedScan& scan, std::uint32_t row, std::int32_t own) const;
+  void name_clusters(const ProjectedScan& scan, const std::vector<std::uint32_t>& rows);
+  // cluster_joins.cpp
+  void join_stripe(int first, int last, std::vector<std::int32_t>& roots);
+  void join_stripes();
+  void join_column(int column, unsigned steps);
   void join(std::int32_t a, std::int32_t b);
   std::int32_t root(std::int32_t pixel);
 
-  /// By ascending pixel.
-  template <class Work>
-  void for_each_used_pixel(Work&& work) const {
-    const auto rows = static_cast<std::size_t>(grid_.rows);
-    for (std::size_t column = 0; column < column_used_.size(); ++column)
-      for (std::size_t row = 0; column_used_[column] != 0 && row < rows; ++row) work(column * rows + row);
-  }
-
-  struct Return {
-    float x_m, y_m, z_m, range_m;
-    std::int32_t row;  ///< of the scan
-  };
-
   SphericalGrid grid_;
   float reach_per_m_ = 0;  ///< how much farther apart two returns may lie for each metre of range
-  std::vector<std::int32_t> pixel_of_row_;  ///< -1: takes no part
-  // By pixel; links, parents and names are kept up in used columns only.
-  std::vector<Return> nearest_;            ///< NaN at infinity, row kNone where there is none
-  std::vector<std::uint8_t> column_used_;  ///< holds a return
-  std::vector<std::uint16_t> links_;       ///< of each pixel: to which of its neighbours it is connected
-  std::vector<std::int32_t> parent_;       ///< union-find over pixels; never more than the pixel itself
+  std::vector<std::int32_t> pixel_, column_;  ///< of the rows that take part, in their order
+  std::vector<Span> used_;                    ///< by column: no return lies outside
+  // By pixel; all but the nearest are kept up where they are used only.
+  std::vector<Nearest> nearest_;
+  std::vector<std::uint16_t> links_;  ///< of each pixel: to which of its neighbours it is connected
+  std::vector<std::int32_t> parent_;  ///< union-find over pixels; never more than the pixel itself
+  std::vector<std::vector<std::int32_t>> roots_;  ///< by stripe of columns: pixels that are their own parent
   std::vector<std::int32_t> name_, of_row_;
   std::size_t count_ = 0;
 };

@@ -1,3 +1,4 @@
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -7,15 +8,18 @@ namespace stillmap {
 void Mapper::State::take_feet_along() {
   constexpr float kLowestM = 0.02F, kHighestM = 0.3F;  // above the ground
   constexpr float kBesideM = 0.25F;
+  if (moving_rows.empty()) return;
   // Most columns have nothing that moves. What is settled here may lie above another foot.
   moves_near_column.assign(static_cast<std::size_t>(clusters.columns()), 0);
-  for (std::size_t row = 0; row < clues.size(); ++row)
+  for (const std::uint32_t row : moving_rows)
     if (labels.label[row] == Label::kDynamic) note_mover(row);
-  for (std::size_t row = 0; row < clues.size(); ++row) {
+  find_rows(projected.size(), low_rows, [this](std::size_t row) {
     const float height_m = height_above_ground_m[row];
-    if (!(height_m > kLowestM && height_m < kHighestM)) continue;
-    if (!voxel_of_row[row].exists() || labels.label[row] == Label::kDynamic) continue;
+    return (height_m > kLowestM) & (height_m < kHighestM);
+  });
+  for (const std::uint32_t row : low_rows) {
     if (moves_near_column[clusters.column(projected.azimuth_rad[row])] == 0) continue;
+    if (!is_judged(row) || labels.label[row] == Label::kDynamic) continue;
     const auto moves_right_above = [&](std::int32_t above) {
       const float dx_m = upright.x_m[above] - upright.x_m[row], dy_m = upright.y_m[above] - upright.y_m[row];
       return labels.label[above] == Label::kDynamic && dx_m * dx_m + dy_m * dy_m < kBesideM * kBesideM &&

@@ -3,7 +3,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace stillmap {
 
@@ -14,6 +17,30 @@ void for_rows(std::size_t count, Work&& work) {
   constexpr std::size_t kAtOnce = 2048;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kAtOnce),
                     [&](const tbb::blocked_range<std::size_t>& rows) { work(rows.begin(), rows.end()); });
+}
+
+/// The rows of 0 .. count - 1 for which the test holds, in their order; tested on all threads.
+template <class Test>
+void find_rows(std::size_t count, std::vector<std::uint32_t>& rows, Test&& test) {
+  constexpr std::size_t kAtOnce = 2048;
+  const std::size_t pieces = (count + kAtOnce - 1) / kAtOnce;
+  std::vector<std::size_t> found(pieces);  // in each piece, which writes to its own place in `rows`
+  rows.resize(count);
+  tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t piece) {
+    std::uint32_t* const begin = &rows[piece * kAtOnce];
+    std::uint32_t* end = begin;
+    for (std::size_t row = piece * kAtOnce; row < std::min(count, (piece + 1) * kAtOnce); ++row) {
+      *end = static_cast<std::uint32_t>(row);
+      end += test(row) ? 1 : 0;  // no branch that would be foretold wrongly
+    }
+    found[piece] = static_cast<std::size_t>(end - begin);
+  });
+  auto end = rows.begin();
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(piece * kAtOnce);
+    end = std::copy(begin, begin + static_cast<std::ptrdiff_t>(found[piece]), end);
+  }
+  rows.erase(end, rows.end());
 }
 
 }  // namespace stillmap

@@ -1,5 +1,7 @@
 #include "ground.hpp"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +24,8 @@ STILLMAP_VECTOR_CLONES void turn_onto(const Eigen::Vector3f axis, std::size_t n,
   for (std::size_t i = 0; i < n; ++i) turned[i] = ax * x[i] + (ay * y[i] + az * z[i]);
 }
 
-STILLMAP_VECTOR_CLONES void find_cells(std::size_t n, const float* __restrict x, const float* __restrict y,
+STILLMAP_VECTOR_CLONES void find_cells(std::size_t n, const float* __restrict range_m,
+                                       const float* __restrict x, const float* __restrict y,
                                        std::int16_t* __restrict cell) {
   constexpr float kPi = 3.14159265358979F;
   constexpr float kLastSector = Ground::kSectors - 1, kBeyond = Ground::kRings;
@@ -31,8 +34,19 @@ STILLMAP_VECTOR_CLONES void find_cells(std::size_t n, const float* __restrict x,
     const float flat = std::sqrt(x[i] * x[i] + y[i] * y[i]) / Ground::kRingM;
     const int sector = static_cast<int>(turn < kLastSector ? std::max(turn, 0.0F) : kLastSector);
     const int ring = static_cast<int>(flat < kBeyond ? flat : kBeyond);  // NaN is beyond, too
-    cell[i] = static_cast<std::int16_t>(ring < Ground::kRings ? sector * Ground::kRings + ring : -1);
+    const bool within = (ring < Ground::kRings) & (range_m[i] > 0);
+    cell[i] = static_cast<std::int16_t>(within ? sector * Ground::kRings + ring : -1);
   }
+}
+
+/// Calls work(first, last) for shares of the cells, one for each thread: what is gathered in a cell is
+/// gathered in the order of the rows.
+template <class Work>
+void for_shares_of_cells(Work&& work) {
+  constexpr int kCells = Ground::kSectors * Ground::kRings;
+  const int shares = tbb::this_task_arena::max_concurrency();
+  tbb::parallel_for(0, shares,
+                    [&](int share) { work(kCells * share / shares, kCells * (share + 1) / shares); });
 }
 
 }  // namespace
@@ -41,40 +55,47 @@ void UprightRows::turn(const ProjectedScan& scan, const Eigen::Matrix3f& R_map_s
   for (std::vector<float>* axis : {&x_m, &y_m, &z_m}) axis->resize(scan.size());
   ground_cell.resize(scan.size());
   for_rows(scan.size(), [&](std::size_t first, std::size_t last) {
-    const std::size_t n = last - first;
+    constexpr std::size_t kAtOnce = 512;  // stays in the cache from one axis to the next
     std::vector<float>* const axes[] = {&x_m, &y_m, &z_m};
-    for (int a = 0; a < 3; ++a)
-      turn_onto(R_map_sensor.row(a), n, &scan.x_m[first], &scan.y_m[first], &scan.z_m[first],
-                &(*axes[a])[first]);
-    find_cells(n, &x_m[first], &y_m[first], &ground_cell[first]);
+    for (; first < last; first += kAtOnce) {
+      const std::size_t n = std::min(kAtOnce, last - first);
+      for (int a = 0; a < 3; ++a)
+        turn_onto(R_map_sensor.row(a), n, &scan.x_m[first], &scan.y_m[first], &scan.z_m[first],
+                  &(*axes[a])[first]);
+      find_cells(n, &scan.range_m[first], &x_m[first], &y_m[first], &ground_cell[first]);
+    }
   });
 }
 
-void Ground::fit(const UprightRows& rows, const ProjectedScan& scan) {
+void Ground::fit(const UprightRows& rows) {
   lowest_.assign(kSectors * kRings, kNothing);
   height_.assign(kSectors * kRings, 0.0F);
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const int cell = rows.ground_cell[i];
-    if (scan.range_m[i] > 0 && cell >= 0) lowest_[cell] = std::min(lowest_[cell], rows.z_m[i]);
-  }
+  for_shares_of_cells([&](int first, int last) {
+    for (std::size_t i = 0; i < rows.z_m.size(); ++i) {
+      const int cell = rows.ground_cell[i];
+      if (cell >= first && cell < last) lowest_[cell] = std::min(lowest_[cell], rows.z_m[i]);
+    }
+  });
   const float seed = seed_height();
   for (int sector = 0; sector < kSectors; ++sector) walk(sector, seed);
-  settle_on_returns(rows, scan);
+  settle_on_returns(rows);
 }
 
-void Ground::settle_on_returns(const UprightRows& rows, const ProjectedScan& scan) {
+void Ground::settle_on_returns(const UprightRows& rows) {
   // The lowest return lies a few sigmas low: take the mean of what lies close to it.
   constexpr float kBelowM = 0.05F, kAboveM = 0.12F;
   sum_.assign(height_.size(), 0.0F);
   count_.assign(height_.size(), 0.0F);
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const int cell = rows.ground_cell[i];
-    if (!(scan.range_m[i] > 0) || cell < 0) continue;
-    const float above = rows.z_m[i] - height_[cell];
-    if (above <= -kBelowM || above >= kAboveM) continue;
-    sum_[cell] += above;
-    count_[cell] += 1;
-  }
+  for_shares_of_cells([&](int first, int last) {
+    for (std::size_t i = 0; i < rows.z_m.size(); ++i) {
+      const int cell = rows.ground_cell[i];
+      if (cell < first || cell >= last) continue;
+      const float above = rows.z_m[i] - height_[cell];
+      if (above <= -kBelowM || above >= kAboveM) continue;
+      sum_[cell] += above;
+      count_[cell] += 1;
+    }
+  });
   for (std::size_t cell = 0; cell < height_.size(); ++cell)
     if (count_[cell] > 0) height_[cell] += sum_[cell] / count_[cell];
 }

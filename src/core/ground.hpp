@@ -11,7 +11,8 @@ namespace stillmap {
 /// The rows of a scan turned upright: from the sensor, along the axes of the map, of which z is up.
 struct UprightRows {
   std::vector<float> x_m, y_m, z_m;
-  std::vector<std::int16_t> ground_cell;  ///< of Ground, below or above the row; -1 beyond its last ring
+  std::vector<std::int16_t>
+      ground_cell;  ///< of Ground, below or above the row; -1 beyond its last ring, and without return
 
   void turn(const ProjectedScan& scan, const Eigen::Matrix3f& R_map_sensor);
 };
@@ -23,7 +24,7 @@ class Ground {
   static constexpr int kRings = 100;
   static constexpr float kRingM = 1.0F;
 
-  void fit(const UprightRows& rows, const ProjectedScan& scan);
+  void fit(const UprightRows& rows);
 
   /// Height of each row above the ground below it; infinite beyond the last ring.
   void heights_above(const UprightRows& rows, std::vector<float>& height_m) const;
@@ -38,7 +39,7 @@ class Ground {
   void walk(int sector, float seed);
   void forget_bump();
   static float between(const Step& a, const Step& b, int ring);
-  void settle_on_returns(const UprightRows& rows, const ProjectedScan& scan);
+  void settle_on_returns(const UprightRows& rows);
 
   std::vector<float> lowest_;  ///< per sector and ring; kNothing = no return
   std::vector<float> height_;  ///< of the ground, for all of them

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -10,21 +11,29 @@ void Mapper::State::take_insides_along() {
   constexpr float kNearlyAll = 0.8F;
   find_vehicles();
   if (vehicles.empty()) return;
+  const auto go_along = [this](std::uint32_t row) {
+    settle(row, Reason::kObjectMoves);
+    moving_rows.push_back(row);
+  };
   // Each object as a whole; what belongs to none, hidden at an edge, for itself.
   rows_inside.assign(clusters.count(), 0);
-  for (std::size_t row = 0; row < labels.label.size(); ++row) {
-    if (labels.reason[row] != Reason::kNeverJudged || !in_a_vehicle(row)) continue;
+  std::vector<std::uint32_t> inside;
+  find_rows(labels.label.size(), inside, [this](std::size_t row) {
+    return labels.reason[row] == Reason::kNeverJudged && in_a_vehicle(row);
+  });
+  if (inside.empty()) return;
+  for (const std::uint32_t row : inside) {
     const std::int32_t object = clusters.of_row()[row];
     if (object == Clusters::kNone)
-      settle(row, Reason::kObjectMoves);
+      go_along(row);
     else
       ++rows_inside[object];
   }
-  for (std::size_t row = 0; row < labels.label.size(); ++row) {
+  for (const std::uint32_t row : standing_rows) {
     const std::int32_t object = clusters.of_row()[row];
     if (object == Clusters::kNone || labels.label[row] != Label::kUncertain) continue;
     if (static_cast<float>(rows_inside[object]) >= kNearlyAll * static_cast<float>(object_votes[object].rows))
-      settle(row, Reason::kObjectMoves);
+      go_along(row);
   }
 }
 
@@ -47,7 +56,7 @@ void Mapper::State::find_vehicles() {
     vehicle_of_object[object] = static_cast<int>(vehicles.size());
     vehicles.emplace_back();
   }
-  for (std::size_t row = 0; row < labels.label.size(); ++row) {
+  for (const std::uint32_t row : moving_rows) {
     const std::int32_t object = clusters.of_row()[row];
     if (object == Clusters::kNone || labels.label[row] != Label::kDynamic) continue;
     if (vehicle_of_object[object] == kNoVehicle) continue;

@@ -9,14 +9,17 @@ namespace stillmap {
 void Mapper::State::decide(const ScanView& view) {
   const std::size_t n = voxel_of_row.size();
   labels.label.resize(n);
-  labels.p_static.assign(n, 0.5F);
+  labels.p_static.resize(n);
   labels.reason.resize(n);
   on_old_surface.resize(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    const bool too_far = projected.range_m[row] < 0;
-    labels.label[row] = too_far ? Label::kUncertain : Label::kInvalid;
-    labels.reason[row] = too_far ? Reason::kOutOfRange : Reason::kNoReturn;
-  }
+  for_rows(n, [this](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row) {
+      const bool too_far = projected.range_m[row] < 0;
+      labels.label[row] = too_far ? Label::kUncertain : Label::kInvalid;
+      labels.p_static[row] = 0.5F;
+      labels.reason[row] = too_far ? Reason::kOutOfRange : Reason::kNoReturn;
+    }
+  });
   for_each_hit_block([&](const HitBlock& hit) { decide_rows(hit, view); });
 }
 

@@ -73,7 +73,7 @@ void Mapper::State::move_submaps(const PastCorrection& correction) {
 void Mapper::State::place_submaps() {
   map = VoxelMap(map.voxel_size_m());
   moving_blocks.clear();
-  around_moving.clear();
+  moving_around.clear();
   hit_blocks.clear();
   const std::vector<Submap>& all = submaps.all();
   for (std::size_t k = 0; k < all.size(); ++k) {

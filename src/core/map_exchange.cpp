@@ -1,3 +1,5 @@
+#include <tsl/robin_set.h>
+
 #include <algorithm>
 #include <stdexcept>
 

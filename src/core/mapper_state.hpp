@@ -3,7 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tsl/robin_set.h>
+#include <tsl/robin_map.h>
 
 #include <functional>
 #include <optional>
@@ -83,11 +83,14 @@ struct Mapper::State {
   UprightRows upright;
   Ground ground;
   std::vector<float> height_above_ground_m;  ///< by row
+  std::vector<std::uint32_t> standing_rows;  ///< judged, and not on the ground
+  std::vector<std::uint32_t> moving_rows;    ///< dynamic by the votes, and what goes with them
+  std::vector<std::uint32_t> low_rows;       ///< at the height of feet
   Clusters clusters, moving_pieces;
+  std::vector<std::uint8_t> followed;       ///< by row: right beside what moved in the last scans
+  std::vector<std::vector<PatchRun>> runs;  ///< of standing_rows with a cluster, by piece of them
   std::vector<Votes> object_votes, patch_votes;
   std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
-  std::vector<RowClues> clues;              ///< by row
-  std::vector<std::uint8_t> takes_part;     ///< by row, for Clusters
   std::vector<Outline> vehicles;            ///< that move
   std::vector<int> vehicle_of_object, rows_inside;
   std::vector<std::uint8_t> moves_near_column;  ///< of clusters: something moves there or in the next one
@@ -163,10 +166,9 @@ struct Mapper::State {
   };
   KnownSurface near_known_surface(const BlockKey& key, CellMask asked) const;
   CellMask near_porous(const BlockKey& key, CellMask asked) const;
-  CellMask near_moving(const BlockKey& key, CellMask asked) const;
   void remember_moving();
-  std::vector<std::uint32_t> moving_blocks;                   ///< where something moved in the last scans
-  tsl::robin_set<std::uint64_t, BlockKeyHash> around_moving;  ///< those and their neighbours, packed keys
+  std::vector<std::uint32_t> moving_blocks;  ///< where something moved in the last scans
+  tsl::robin_map<std::uint64_t, CellMask, BlockKeyHash> moving_around;  ///< by packed key: cells beside them
   /// Of the cells that are asked for, those that `cells_of` has set in the block or its neighbours, or right
   /// beside.
   template <class CellsOf>
@@ -217,17 +219,35 @@ struct Mapper::State {
   void calibrate();
   bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
 
-  // objects.cpp, specks.cpp
+  // objects.cpp, patches.cpp, vanished.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   void separate_ground();
-  void find_clues();
+  void find_followed();
   void count_votes();
+  void find_runs(std::size_t first, std::size_t last, std::vector<PatchRun>& found) const;
+  /// Calls work(run) for each run, on all threads.
+  template <class Work>
+  void for_each_run(Work&& work) {
+    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t piece) {
+      for (PatchRun& run : runs[piece]) work(run);
+    });
+  }
   void test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
-  bool replaced_vanished(const Eigen::Vector3d& point_map_m, const ScanView& earlier,
-                         const ScanView& view) const;
+  /// Of each point: whether what hid its place from an earlier scan is gone.
+  std::vector<std::uint8_t> replaced_vanished(const std::vector<Eigen::Vector3d>& points_map_m,
+                                              const ScanHistory& history, const ScanView& view) const;
   void decide_by_vote();
   void settle(std::size_t row, Reason reason);
   void defer_specks();
+  bool is_judged(std::size_t row) const {
+    return (labels.label[row] != Label::kInvalid) & (labels.reason[row] != Reason::kOutOfRange);
+  }
+  bool is_established(std::size_t row) const {
+    return (labels.label[row] == Label::kStatic) & (on_old_surface[row] != 0);
+  }
+  bool is_just_static(std::size_t row) const {
+    return (labels.label[row] == Label::kStatic) & (on_old_surface[row] == 0);
+  }
 
   // insides.cpp
   static constexpr int kNoVehicle = -1;

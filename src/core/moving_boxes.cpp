@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
 
 namespace stillmap {
@@ -36,12 +37,13 @@ std::vector<MovingBox> Mapper::moving_boxes(const Scan& scan, const Eigen::Isome
   constexpr std::size_t kLeastPoints = 5;
   const State& s = *state_;
   if (scan.points.size() != s.labels.label.size()) return {};  // not the scan of the last process()
-  std::vector<std::uint8_t> moves(scan.points.size());
-  for (std::size_t row = 0; row < moves.size(); ++row) moves[row] = s.labels.label[row] == Label::kDynamic;
+  std::vector<std::uint32_t> moves;
+  find_rows(scan.points.size(), moves,
+            [&](std::size_t row) { return s.labels.label[row] == Label::kDynamic; });
   Clusters things;
   things.find(s.projected, s.beams, moves);
   std::vector<Points> points(things.count());
-  for (std::size_t row = 0; row < moves.size(); ++row)
+  for (const std::uint32_t row : moves)
     if (things.of_row()[row] != Clusters::kNone)
       points[things.of_row()[row]].push_back(T_map_sensor * scan.points[row].cast<double>());
   std::vector<MovingBox> boxes;

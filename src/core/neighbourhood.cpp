@@ -41,15 +41,8 @@ CellMask Mapper::State::near_porous(const BlockKey& key, CellMask asked) const {
   return near(key, asked, [](const VoxelBlock& b) { return b.porous; });
 }
 
-CellMask Mapper::State::near_moving(const BlockKey& key, CellMask asked) const {
-  if (around_moving.count(packed(key)) == 0) return 0;
-  return near(key, asked, [this](const VoxelBlock& b) {
-    return b.moving_scan + scans_of_all(kMovingMemoryScans) >= scan_count ? b.moving : CellMask{0};
-  });
-}
-
 void Mapper::State::remember_moving() {
-  for (std::size_t row = 0; row < voxel_of_row.size(); ++row) {
+  for (const std::uint32_t row : moving_rows) {
     if (labels.label[row] != Label::kDynamic || clusters.of_row()[row] == Clusters::kNone) continue;
     if (labels.reason[row] == Reason::kObjectMoves)
       continue;  // a vote is no new sighting: it must not feed itself
@@ -68,10 +61,17 @@ void Mapper::State::remember_moving() {
   };
   moving_blocks.erase(std::remove_if(moving_blocks.begin(), moving_blocks.end(), forgotten),
                       moving_blocks.end());
-  around_moving.clear();
-  for (const std::uint32_t index : moving_blocks)
-    for (int i = 0; i < 27; ++i)
-      around_moving.insert(packed(map.block(index).key() + BlockKey(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
+  moving_around.clear();
+  for (const std::uint32_t index : moving_blocks) {
+    const VoxelBlock& block = map.block(index);
+    for (int i = 0; i < 27; ++i) {
+      const BlockKey step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if ((block.moving & facing(step.x(), step.y(), step.z())) == 0) continue;
+      std::array<CellMask, 27> around{};  // as that neighbour sees it, which lies on the other side
+      around[26 - i] = block.moving;
+      moving_around[packed(block.key() + step)] |= grown(around);
+    }
+  }
 }
 
 }  // namespace stillmap

@@ -1,17 +1,16 @@
 #pragma once
 
+#include <cstdint>
+
 #include "stillmap/types.hpp"
 
 namespace stillmap {
 
-/// What objects.cpp found out about one row of the scan, beside its own label.
+/// What is known of one row of the scan, beside its own label.
 struct RowClues {
-  bool ground = false;       ///< lies on the ground: never part of an object
   bool established = false;  ///< static, on surface known for a while
   bool followed = false;     ///< right beside what moved in the last scans
-  bool tested = false;       ///< the vanish test was made: the row is undecided, or only just static
   bool leaning = false;      ///< more likely dynamic than not
-  bool vanished = false;     ///< what stood right before it, seen from here, is gone
 };
 
 /// Share of static rows that makes the undecided rest of a patch, of an object, static.
@@ -20,8 +19,10 @@ inline constexpr float kPatchStatic = 0.5F, kObjectStatic = 0.3F;
 /// What the rows of an object, or of a patch of one, say together.
 struct Votes {
   int rows = 0, dynamic = 0, is_static = 0;
-  int established = 0, followed = 0, tested = 0, vanished = 0;
-  int leaning = 0;  ///< rows that are dynamic or more likely so than not
+  int established = 0, followed = 0;
+  int tested = 0;    ///< for what stood right before it: those undecided, or only just static
+  int vanished = 0;  ///< of them: that, seen from here, is gone
+  int leaning = 0;   ///< rows that are dynamic or more likely so than not
 
   void add(Label label, const RowClues& clues) {
     ++rows;
@@ -31,6 +32,14 @@ struct Votes {
     followed += clues.followed;
     leaning += clues.leaning;
   }
+  void add_test(bool row_vanished) {
+    ++tested;
+    vanished += row_vanished;
+  }
+  void add_tests(const Votes& more) {
+    tested += more.tested;
+    vanished += more.vanished;
+  }
   Votes& operator+=(const Votes& more) {
     rows += more.rows;
     dynamic += more.dynamic;
@@ -38,14 +47,11 @@ struct Votes {
     established += more.established;
     followed += more.followed;
     leaning += more.leaning;
-    tested += more.tested;
-    vanished += more.vanished;
+    add_tests(more);
     return *this;
   }
-  void add_vanish_test(bool row_vanished) {
-    ++tested;
-    vanished += row_vanished;
-  }
+  /// Rows that its verdict may settle: undecided, or only just static.
+  int open() const { return rows - dynamic - established; }
   /// Too much of it is known surface for something that moves.
   bool known_before() const;
   /// Enough of it lies right behind what vanished.
@@ -59,5 +65,15 @@ struct Votes {
 inline bool moves(Reason verdict) {
   return verdict == Reason::kObjectMoves || verdict == Reason::kReplacedVanished;
 }
+
+/// Rows of an object in one cube of 1 m, a patch, that follow each other in the scan: counted and settled
+/// together.
+struct PatchRun {
+  std::uint32_t first, last;  ///< places in Mapper::State::standing_rows
+  std::int32_t object;
+  std::uint32_t patch;
+  std::uint64_t key;  ///< of the patch
+  Votes votes;
+};
 
 }  // namespace stillmap

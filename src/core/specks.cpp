@@ -21,15 +21,11 @@ bool mostly_static(const Votes& votes) {
 void Mapper::State::defer_specks() {
   constexpr int kLoneRows = 3;  // on the ground
   if (parameters.speck_size_m <= 0) return;
-  takes_part.assign(projected.size(), 0);
-  for (std::size_t row = 0; row < projected.size(); ++row)
-    takes_part[row] = labels.label[row] == Label::kDynamic;
-  moving_pieces.find(projected, beams, takes_part);
+  moving_pieces.find(projected, beams, moving_rows);
   std::vector<int> size(moving_pieces.count(), 0);
-  for (const std::int32_t piece : moving_pieces.of_row())
-    if (piece != Clusters::kNone) ++size[piece];
-  for (std::size_t row = 0; row < projected.size(); ++row) {
-    if (takes_part[row] == 0) continue;
+  for (const std::uint32_t row : moving_rows)
+    if (moving_pieces.of_row()[row] != Clusters::kNone) ++size[moving_pieces.of_row()[row]];
+  for (const std::uint32_t row : moving_rows) {
     const std::int32_t piece = moving_pieces.of_row()[row], object = clusters.of_row()[row];
     const int rows = piece == Clusters::kNone ? 1 : size[piece];
     const bool stands = object == Clusters::kNone ? rows < kLoneRows : mostly_static(object_votes[object]);

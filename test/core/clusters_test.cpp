@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "core/for_rows.hpp"
 #include "core/made_scans.hpp"
 
 namespace stillmap {
@@ -25,10 +26,10 @@ Scan plates(const std::vector<std::pair<float, float>>& azimuths_deg) {
   });
 }
 
-std::vector<std::uint8_t> all_usable(const ProjectedScan& scan) {
-  std::vector<std::uint8_t> use(scan.size());
-  for (std::size_t i = 0; i < use.size(); ++i) use[i] = scan.range_m[i] > 0;
-  return use;
+std::vector<std::uint32_t> all_usable(const ProjectedScan& scan) {
+  std::vector<std::uint32_t> rows;
+  find_rows(scan.size(), rows, [&](std::size_t row) { return scan.range_m[row] > 0; });
+  return rows;
 }
 
 TEST(Clusters, OnePlateIsOne) {
@@ -53,6 +54,15 @@ TEST(Clusters, TwoPlatesApartAreTwo) {
   EXPECT_EQ(of_side[false].size(), 1U);
   EXPECT_EQ(of_side[true].size(), 1U);
   EXPECT_NE(of_side[false], of_side[true]);
+}
+
+// Stripes of columns are joined by different threads.
+TEST(Clusters, AWallAllAroundIsOne) {
+  const Scan scan = kSensor.scan([](float, float elevation) { return 10 / std::cos(elevation); });
+  const ProjectedScan p = projected(scan);
+  Clusters clusters;
+  clusters.find(p, kGeometry, all_usable(p));
+  EXPECT_EQ(clusters.count(), 1U);
 }
 
 TEST(Clusters, ADepthEdgeParts) {
@@ -82,13 +92,14 @@ TEST(Clusters, AReturnHiddenInItsPixelGoesWithWhatItTouches) {
 TEST(Clusters, RowsThatTakeNoPartHaveNone) {
   const Scan scan = plates({{-16, -6}, {6, 16}});
   const ProjectedScan p = projected(scan);
-  std::vector<std::uint8_t> use = all_usable(p);
-  for (std::size_t row = 0; row < p.size(); ++row) use[row] = use[row] != 0 && p.azimuth_rad[row] > 0;
+  const auto takes_part = [&](std::size_t row) { return p.range_m[row] > 0 && p.azimuth_rad[row] > 0; };
+  std::vector<std::uint32_t> rows;
+  find_rows(p.size(), rows, takes_part);
   Clusters clusters;
-  clusters.find(p, kGeometry, use);
+  clusters.find(p, kGeometry, rows);
   EXPECT_EQ(clusters.count(), 1U);
   for (std::size_t row = 0; row < p.size(); ++row)
-    EXPECT_EQ(clusters.of_row()[row] != Clusters::kNone, use[row] != 0);
+    EXPECT_EQ(clusters.of_row()[row] != Clusters::kNone, takes_part(row));
 }
 
 /// The rows' clusters by flood fill over all pairs of rows that are their pixels' nearest.
@@ -134,12 +145,13 @@ std::vector<int> by_brute_force(const Scan& scan, const ProjectedScan& p) {
 TEST(Clusters, ConnectAsBruteForceDoes) {
   std::mt19937 random(10);
   std::uniform_real_distribution<float> share(0, 1);
-  for (int trial = 0; trial < 5; ++trial) {
+  for (int trial = 0; trial < 6; ++trial) {
     float range_m = 8;
     const Scan scan = kSensor.scan([&](float azimuth, float elevation) {
       if (share(random) < 0.1F) range_m = 5 + 10 * share(random);
-      const bool seen = std::abs(azimuth) > 170 * kRad && std::abs(elevation) < 8 * kRad;  // over the seam
-      return seen && share(random) < 0.6F ? range_m : 0.0F;
+      // Over the seam, or over the edge between two stripes.
+      const bool here = trial % 2 == 0 ? std::abs(azimuth) > 170 * kRad : std::abs(azimuth) < 10 * kRad;
+      return here && std::abs(elevation) < 8 * kRad && share(random) < 0.6F ? range_m : 0.0F;
     });
     const ProjectedScan p = projected(scan);
     Clusters clusters;

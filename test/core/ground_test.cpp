@@ -30,7 +30,7 @@ Ground fitted_to(const Scan& scan, const Eigen::Matrix3f& R_map_sensor) {
   UprightRows rows;
   rows.turn(p, R_map_sensor);
   Ground ground;
-  ground.fit(rows, p);
+  ground.fit(rows);
   return ground;
 }
 
