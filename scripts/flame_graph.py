@@ -27,6 +27,9 @@ OF_THE_PACKAGE = re.compile(r"stillmap::(?:\(anonymous namespace\)::)?(?:Mapper:
 def label(function):
     """The function's own name; of what a parallel loop was made into, the function that the loop stands in. None for
     what only hands on: the mapper's own functions, TBB."""
+    function = re.sub(r"'\d+$", "", function)  # callgrind's mark of a function that calls itself
+    if function == "main":
+        return None
     inner = function[function.index("<"):] if function.startswith("tbb::") and "<" in function else function
     for name in OF_THE_PACKAGE.findall(inner):
         if not name.startswith(("for_rows", "find_rows")):
