@@ -11,19 +11,13 @@
 #include "beam_share.hpp"
 #include "block_projection.hpp"
 #include "calibration.hpp"
-#include "clusters.hpp"
 #include "coarse_image.hpp"
-#include "ground.hpp"
-#include "located_rows.hpp"
-#include "object_votes.hpp"
-#include "outline.hpp"
 #include "present_scan.hpp"
 #include "probability_table.hpp"
 #include "rolling_map.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
-#include "stillmap/projection.hpp"
 #include "stillmap/sensor_geometry.hpp"
 #include "stillmap/voxel_map.hpp"
 #include "submaps.hpp"
@@ -39,8 +33,9 @@ struct SensorState {
   std::uint32_t scans = 0;
 };
 
-/// All that a Mapper holds. The steps of process() are its functions, each in the file named above it.
-struct Mapper::State {
+/// All that a Mapper holds: its map, and of the present scan what the base holds. The steps of process() are
+/// its functions, each in the file named above it.
+struct Mapper::State : PresentScan {
   explicit State(const Parameters& parameters);
 
   Parameters parameters;
@@ -65,35 +60,6 @@ struct Mapper::State {
   float settling_step = 0;  ///< of log-odds, in the present scan
 
   std::optional<LabelledScan> awaits_upkeep;  ///< the present scan, until upkeep() is through with it
-
-  // Of the present scan; kept to spare their allocation. Vectors by row have the scan's size.
-  SensorGeometry beams;
-  ProjectedScan projected;
-  LocatedRows located;
-  std::vector<HitBlock> hit_blocks;
-  std::vector<LastHit> last_hits;            ///< by index of the block in the map
-  std::vector<std::uint32_t> hit_of_row;     ///< index in hit_blocks
-  std::vector<std::uint32_t> rows_by_block;  ///< rows of the scan
-  std::vector<std::uint32_t> new_rows;
-  std::vector<std::uint32_t> new_voxels;  ///< rows of the scan whose return made a voxel
-  std::vector<VoxelRef> voxel_of_row;
-  std::vector<std::uint8_t> on_old_surface;  ///< by row: its voxel has been there for a while
-  std::vector<const BlockTile*> near_tiles;  ///< with all that the scan may say something about, and more
-  ScanLabels labels;
-  UprightRows upright;
-  Ground ground;
-  std::vector<float> height_above_ground_m;  ///< by row
-  std::vector<std::uint32_t> standing_rows;  ///< judged, and not on the ground
-  std::vector<std::uint32_t> moving_rows;    ///< dynamic by the votes, and what goes with them
-  std::vector<std::uint32_t> low_rows;       ///< at the height of feet
-  Clusters clusters, moving_pieces;
-  std::vector<std::uint8_t> followed;       ///< by row: right beside what moved in the last scans
-  std::vector<std::vector<PatchRun>> runs;  ///< of standing_rows with a cluster, by piece of them
-  std::vector<Votes> object_votes, patch_votes;
-  std::vector<std::uint32_t> patch_of_row;  ///< where a row has a cluster
-  std::vector<Outline> vehicles;            ///< that move
-  std::vector<int> vehicle_of_object, rows_inside;
-  std::vector<std::uint8_t> moves_near_column;  ///< of clusters: something moves there or in the next one
 
   // mapper.cpp
   SensorState& sensor(int index);
