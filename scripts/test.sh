@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything, runs every test. Then it builds without ROS, which must also work, and
-# compares the labels of the two builds; its tests would be the same ones again.
-# The build folders are build/ and build_core/ in the repository.
+# compares the labels of the two builds; its tests would be the same ones again. Last, some tests of each part under
+# sanitizers. The build folders are build/, build_core/, build-address/ and build-thread/ in the repository.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export PATH=/usr/bin:$PATH  # another python3 before the system's breaks catkin
@@ -36,6 +36,8 @@ timed "build" build build -DCMAKE_CXX_FLAGS="-Wpedantic -Werror"
 timed "tests" run_tests
 timed "build without ROS" build build_core -DSTILLMAP_WITH_ROS=OFF -DSTILLMAP_BUILD_TESTS=OFF
 timed "determinism" bash scripts/determinism.sh
+timed "ASan and UBSan" bash scripts/sanitize.sh address quick
+timed "TSan" bash scripts/sanitize.sh thread quick
 
 printf '\nSlowest tests:\n'
 sed -nE 's/^.*Test +#[0-9]+: (\S+) .* ([0-9.]+) sec.*$/\2 s  \1/p' build/ctest.log | sort -rn |
