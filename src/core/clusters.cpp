@@ -32,7 +32,7 @@ void Clusters::find(const ProjectedScan& scan, SensorGeometry geometry,
   reach_per_m_ = 1.2F * std::max(geometry.ring_spacing_rad, 2.0F * geometry.azimuth_step_rad);
   place_rows(scan, rows);
   roots_.resize(static_cast<std::size_t>((grid_.columns + kStripe - 1) / kStripe));
-  tbb::parallel_for(std::size_t{0}, roots_.size(), [&](std::size_t stripe) {
+  for_each_index(roots_.size(), [&](std::size_t stripe) {
     const int first = static_cast<int>(stripe) * kStripe, last = std::min(first + kStripe, grid_.columns);
     link_columns(scan, first, last);
     join_stripe(first, last, roots_[stripe]);

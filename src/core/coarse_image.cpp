@@ -1,10 +1,9 @@
 #include "coarse_image.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "on_all_threads.hpp"
 #include "vector_clones.hpp"
 
 namespace stillmap {
@@ -37,8 +36,8 @@ CoarseImage::CoarseImage(const RangeImage& image, const LevelModel& level)
       tile_columns_((grid_.columns + kTileColumns - 1) / kTileColumns),
       tile_rows_((grid_.rows + kTileRows - 1) / kTileRows),
       tiles_(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows_)) {
-  tbb::parallel_for(tbb::blocked_range<int>(0, tile_columns_, 16), [&](const tbb::blocked_range<int>& some) {
-    for (int column = some.begin(); column < some.end(); ++column) summarise(image, column);
+  for_pieces(static_cast<std::size_t>(tile_columns_), 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t column = first; column < last; ++column) summarise(image, static_cast<int>(column));
   });
 }
 

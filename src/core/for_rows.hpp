@@ -1,22 +1,19 @@
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "on_all_threads.hpp"
 
 namespace stillmap {
 
 /// Calls work(first, last) for pieces of 0 .. count - 1, on all threads: for loops of a few instructions a
 /// row.
 template <class Work>
-void for_rows(std::size_t count, Work&& work) {
-  constexpr std::size_t kAtOnce = 2048;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kAtOnce),
-                    [&](const tbb::blocked_range<std::size_t>& rows) { work(rows.begin(), rows.end()); });
+void for_rows(std::size_t count, const Work& work) {
+  for_pieces(count, 2048, work);
 }
 
 /// The rows of 0 .. count - 1 for which the test holds, in their order; tested on all threads.
@@ -26,7 +23,7 @@ void find_rows(std::size_t count, std::vector<std::uint32_t>& rows, Test&& test)
   const std::size_t pieces = (count + kAtOnce - 1) / kAtOnce;
   std::vector<std::size_t> found(pieces);  // in each piece, which writes to its own place in `rows`
   rows.resize(count);
-  tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t piece) {
+  for_each_index(pieces, [&](std::size_t piece) {
     std::uint32_t* const begin = &rows[piece * kAtOnce];
     std::uint32_t* end = begin;
     for (std::size_t row = piece * kAtOnce; row < std::min(count, (piece + 1) * kAtOnce); ++row) {

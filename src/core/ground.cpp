@@ -1,7 +1,5 @@
 #include "ground.hpp"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,9 +42,11 @@ STILLMAP_VECTOR_CLONES void find_cells(std::size_t n, const float* __restrict ra
 template <class Work>
 void for_shares_of_cells(Work&& work) {
   constexpr int kCells = Ground::kSectors * Ground::kRings;
-  const int shares = tbb::this_task_arena::max_concurrency();
-  tbb::parallel_for(0, shares,
-                    [&](int share) { work(kCells * share / shares, kCells * (share + 1) / shares); });
+  const int shares = arena_threads();
+  for_each_index(static_cast<std::size_t>(shares), [&](std::size_t i) {
+    const auto share = static_cast<int>(i);
+    work(kCells * share / shares, kCells * (share + 1) / shares);
+  });
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <tbb/parallel_for.h>
 #include <tsl/robin_map.h>
 
 #include "mapper_state.hpp"
@@ -48,7 +47,7 @@ TrajectoryCorrection Mapper::State::correct(const PastCorrection& correction) {
   result.applied = result.largest_m >= map.voxel_size_m();
   if (!result.applied) return result;
   ++revision;
-  arena.execute([&] {
+  arena.run([&] {
     move_submaps(correction);
     place_submaps();
   });
@@ -82,7 +81,7 @@ void Mapper::State::place_submaps() {
     for (const ScanView& view : all[k].views) {
       map.find_near(view.origin_map_m, reach_m(), near_tiles);
       const CoarseView coarse(view, models);
-      tbb::parallel_for(std::size_t{0}, near_tiles.size(), [&](std::size_t i) {
+      for_each_index(near_tiles.size(), [&](std::size_t i) {
         for (const BlockEntry& entry : *near_tiles[i])
           judge_again(view, coarse, map.block(entry.index), standing);
       });

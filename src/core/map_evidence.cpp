@@ -23,8 +23,7 @@ void Mapper::State::apply_evidence_to_others(const ScanView& view) {
     for_each_hit_block([&](const HitBlock& hit) { judge_hit_block(view, *hit.block); });
   map.find_near(view.origin_map_m, reach_m(), near_tiles);
   const CoarseView coarse(view, models);
-  tbb::parallel_for(std::size_t{0}, near_tiles.size(),
-                    [&](std::size_t i) { judge_tile(view, coarse, *near_tiles[i]); });
+  for_each_index(near_tiles.size(), [&](std::size_t i) { judge_tile(view, coarse, *near_tiles[i]); });
 }
 
 STILLMAP_VECTOR_CLONES void Mapper::State::support_returned(VoxelBlock& block,

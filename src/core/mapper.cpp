@@ -64,7 +64,7 @@ const ScanLabels& Mapper::label(const Scan& scan, const Eigen::Isometry3d& T_map
   ++s.scan_count;
   ++s.revision;
   s.go_on_to(scan.stamp_ns);
-  s.arena.execute([&] {
+  s.arena.run([&] {
     s.awaits_upkeep.emplace(LabelledScan{s.view_of(scan, T_map_sensor), T_map_sensor});
     const ScanView& view = s.awaits_upkeep->view;  // I_O at all levels, eq. (2)
     s.ended(Stage::kRangeImage);
@@ -94,7 +94,7 @@ Mapper::State& Mapper::up_to_date() const {
 }
 
 void Mapper::State::upkeep() {
-  arena.execute([this] {
+  arena.run([this] {
     ScanView& view = awaits_upkeep->view;
     apply_evidence_to_others(view);  // eq. (2) to (8) for the voxels that no row of the scan lies in
     if (submaps.enabled()) remember_for_corrections(view, awaits_upkeep->T_map_sensor);

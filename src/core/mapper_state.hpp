@@ -1,8 +1,5 @@
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <tsl/robin_map.h>
 
 #include <functional>
@@ -12,6 +9,7 @@
 #include "block_projection.hpp"
 #include "calibration.hpp"
 #include "coarse_image.hpp"
+#include "on_all_threads.hpp"
 #include "present_scan.hpp"
 #include "probability_table.hpp"
 #include "rolling_map.hpp"
@@ -50,7 +48,7 @@ struct Mapper::State : PresentScan {
   RollingMap rolling;                ///< all of it
   Submaps submaps;
   FusedEvidence own_hit;
-  tbb::task_arena arena;
+  WorkerArena arena;
   bool every_voxel_is_judged;  ///< or only the nearest of each pixel
   Voxel untold;                ///< a new voxel that no earlier scan said anything about
   StageListener* listener = nullptr;
@@ -91,14 +89,13 @@ struct Mapper::State : PresentScan {
   template <class Work>
   void for_each_hit_block(Work&& work) {
     constexpr std::size_t kAtLeast = 32, kFarAhead = 8, kAhead = 3;
-    const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        if (i + kFarAhead < range.end()) hit_blocks[i + kFarAhead].block->prefetch();
-        if (i + kAhead < range.end()) hit_blocks[i + kAhead].block->prefetch_voxels();
+    for_pieces(hit_blocks.size(), kAtLeast, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (i + kFarAhead < last) hit_blocks[i + kFarAhead].block->prefetch();
+        if (i + kAhead < last) hit_blocks[i + kAhead].block->prefetch_voxels();
         work(hit_blocks[i]);
       }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), kAtLeast), some);
+    });
   }
 
   // map_evidence.cpp: every voxel compares its own range with I_O
@@ -194,7 +191,7 @@ struct Mapper::State : PresentScan {
   /// Calls work(run) for each run, on all threads.
   template <class Work>
   void for_each_run(Work&& work) {
-    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t piece) {
+    for_each_index(runs.size(), [&](std::size_t piece) {
       for (PatchRun& run : runs[piece]) work(run);
     });
   }

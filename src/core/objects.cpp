@@ -36,8 +36,8 @@ void Mapper::State::separate_ground() {
 void Mapper::State::find_followed() {
   followed.assign(projected.size(), 0);
   if (!parameters.follow_objects || moving_around.empty()) return;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hit_blocks.size(), 64), [this](const auto& some) {
-    for (std::size_t i = some.begin(); i < some.end(); ++i) {
+  for_pieces(hit_blocks.size(), 64, [this](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t* const rows = &rows_by_block[hit_blocks[i].first_row];
       const auto moving = moving_around.find(located.block[*rows]);
       if (moving == moving_around.end()) continue;

@@ -24,7 +24,7 @@ std::uint64_t object_hash(std::int32_t object) {
 void Mapper::State::count_votes() {
   constexpr std::size_t kAtOnce = 1024;
   runs.resize((standing_rows.size() + kAtOnce - 1) / kAtOnce);
-  tbb::parallel_for(std::size_t{0}, runs.size(), [this](std::size_t piece) {
+  for_each_index(runs.size(), [this](std::size_t piece) {
     runs[piece].clear();
     find_runs(piece * kAtOnce, std::min(standing_rows.size(), (piece + 1) * kAtOnce), runs[piece]);
   });

@@ -1,11 +1,10 @@
 #include "stillmap/range_image.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "column_bracket.hpp"
+#include "on_all_threads.hpp"
 #include "vector_clones.hpp"
 
 namespace stillmap {
@@ -77,12 +76,11 @@ RangeImage RangeImage::bracketed(const ProjectedScan& scan, SensorGeometry geome
       SphericalGrid(column_rad, row_rad, scan.elevation_min_rad - margin, scan.elevation_max_rad + margin);
   const SpanPlanes planes = span_planes(scan, image.grid_, image.step_m_);
   image.spans_.resize(image.grid_.size() + 1, kNoReturn);
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, image.grid_.columns, 64), [&](const tbb::blocked_range<int>& some) {
-        ColumnBracket bracket(image.grid_, gap_rows);
-        for (int column = some.begin(); column < some.end(); ++column)
-          bracket.run(planes, column, &image.spans_[static_cast<std::size_t>(column) * image.grid_.rows]);
-      });
+  for_pieces(static_cast<std::size_t>(image.grid_.columns), 64, [&](std::size_t first, std::size_t last) {
+    ColumnBracket bracket(image.grid_, gap_rows);
+    for (std::size_t column = first; column < last; ++column)
+      bracket.run(planes, static_cast<int>(column), &image.spans_[column * image.grid_.rows]);
+  });
   return image;
 }
 

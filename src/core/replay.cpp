@@ -52,11 +52,10 @@ FusedEvidence strongest_support(int rank, const std::vector<LevelModel>& models)
 }  // namespace
 
 void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, new_voxels.size(), kAtOnce / 2),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t first = range.begin(); first < range.end(); first += kAtOnce)
-                        replay_history(T_map_sensor, first, std::min(range.end(), first + kAtOnce));
-                    });
+  for_pieces(new_voxels.size(), kAtOnce / 2, [&](std::size_t first, std::size_t last) {
+    for (; first < last; first += kAtOnce)
+      replay_history(T_map_sensor, first, std::min(last, first + kAtOnce));
+  });
 }
 
 void Mapper::State::replay_history(const Eigen::Isometry3d& T_map_sensor, std::size_t first,

@@ -46,7 +46,7 @@ void see(const std::vector<Eigen::Vector3d>& points_map_m, const ScanView& from,
 void Mapper::State::test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                                   const ScanView& view) {
   const ScanHistory& history = sensors[static_cast<std::size_t>(scan.sensor)].history;
-  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t piece) {
+  for_each_index(runs.size(), [&](std::size_t piece) {
     std::vector<Eigen::Vector3d> points_map_m;
     std::vector<PatchRun*> run_of_point;
     for (PatchRun& run : runs[piece]) {
