@@ -99,7 +99,8 @@ void Mapper::State::upkeep() {
     apply_evidence_to_others(view);  // eq. (2) to (8) for the voxels that no row of the scan lies in
     if (submaps.enabled()) remember_for_corrections(view, awaits_upkeep->T_map_sensor);
     rolling.leave(view.origin_map_m, scan_count);
-    sensors[view.sensor].history.add(std::move(view));
+    ScanHistory& history = sensors[view.sensor].history;
+    history.add(std::move(view));
   });
   awaits_upkeep.reset();
   ended(Stage::kUpkeep);

@@ -34,7 +34,7 @@ double RollingMap::distance_m(const TileKey& key, const Eigen::Vector3d& origin_
 void RollingMap::move_to(const Eigen::Vector3d& origin_map_m) {
   ++moves_;
   map_.for_each_tile_near(origin_map_m, open_m_, [&](const TileKey& key) {
-    const auto [tile, is_new] = open_.try_emplace(packed_tile(key), OpenTile{key, moves_});
+    auto [tile, is_new] = open_.try_emplace(packed_tile(key), OpenTile{key, moves_});
     tile.value().near_move = moves_;
     if (is_new) open(key);
   });

@@ -80,7 +80,7 @@ void StructureGates::find_ground() {
     block.for_each([&](int place, const Voxel&) {
       const Eigen::Vector3d center = map_.center_of(voxel_key(block.key(), place));
       const auto z = static_cast<float>(center.z());
-      const auto [cell, created] = lowest_m_.try_emplace(packed(cell_of(center)), z);
+      auto [cell, created] = lowest_m_.try_emplace(packed(cell_of(center)), z);
       if (!created) cell.value() = std::min(cell.value(), z);
     });
   }
