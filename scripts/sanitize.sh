@@ -19,7 +19,7 @@ case ${1:-} in
     rostest=bad_input ;;
   thread)
     flags="-fsanitize=thread"
-    quick=(on_all_threads_test mapper_test tile_folder_test read_ahead_test) rostest= ;;
+    quick=(on_all_threads_test mapper_threads_test tile_folder_test read_ahead_test) rostest= ;;
   *) sed -n '2,10s/^# //p' "$0" >&2; exit 2 ;;
 esac
 build=build-$1
