@@ -74,12 +74,13 @@ void set_from_node(Parameters& parameters, const std::string& name, const YAML::
 }
 
 YAML::Node load_map(const std::string& file) {
+  const std::string unreadable = file + ": cannot be read; expected a YAML file of parameters";
+  if (std::filesystem::is_directory(file)) throw std::runtime_error(unreadable);
   try {
-    if (std::filesystem::is_directory(file)) throw YAML::BadFile(file);
     const YAML::Node root = YAML::LoadFile(file);
     if (root.IsNull() || root.IsMap()) return root;
   } catch (const YAML::BadFile&) {
-    throw std::runtime_error(file + ": cannot be read; expected a YAML file of parameters");
+    throw std::runtime_error(unreadable);
   } catch (const YAML::ParserException& error) {
     throw std::runtime_error(file + ": not YAML: " + error.what());
   }
