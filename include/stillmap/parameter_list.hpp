@@ -106,6 +106,10 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "what rises a little above the ground right below something that moves goes with it");
   flag("take_insides_along", p.take_insides_along,
        "what is seen for the first time through the windows of a moving vehicle goes with it");
+  flag(
+      "doubt_beside_movers", p.doubt_beside_movers,
+      "surface in or right beside which a mover was seen has to be seen again to be known to stand: where it "
+      "stood before, it leaves no ghost");
   number("hits_to_overrule", "scans", 0, 255, p.hits_to_overrule,
          "in the end, what was dynamic at the scan's own time turns static only where so many scans hit the "
          "voxel");

@@ -129,9 +129,6 @@ struct Mapper::State : PresentScan {
   };
   KnownSurface near_known_surface(const BlockKey& key, CellMask asked) const;
   CellMask near_porous(const BlockKey& key, CellMask asked) const;
-  void remember_moving();
-  std::vector<std::uint32_t> moving_blocks;  ///< where something moved in the last scans
-  tsl::robin_map<std::uint64_t, CellMask, BlockKeyHash> moving_around;  ///< by packed key: cells beside them
   /// Of the cells that are asked for, those that `cells_of` has set in the block or its neighbours, or right
   /// beside.
   template <class CellsOf>
@@ -152,6 +149,14 @@ struct Mapper::State : PresentScan {
       if (index >= 0) visit(i, map.block(static_cast<std::uint32_t>(index)));
     }
   }
+
+  // moving_memory.cpp: where something moved in the last scans
+  bool saw_mover(std::uint32_t row) const;
+  void remember_moving();
+  void spread_moving();
+  void doubt_beside_movers();
+  std::vector<std::uint32_t> moving_blocks;  ///< where something moved in the last scans
+  tsl::robin_map<std::uint64_t, CellMask, BlockKeyHash> moving_around;  ///< by packed key: cells beside them
 
   // explain.cpp
   std::vector<PlaceEvidence> evidence_about(const Eigen::Vector3d& place_map_m, const ScanView& view) const;
