@@ -30,12 +30,15 @@ Eigen::Isometry3d take_pose(Input& in) {
   return pose;
 }
 
-Parameters small_parameters(Input& in) {
+/// Images are what an input costs: one in sixteen has them as large as a sensor's.
+Parameters small_parameters(Input& in, bool has_large_images) {
   Parameters parameters;
   parameters.max_range_m = 15;
-  if (in.choose(2) == 0) {  // small images: many more inputs in the same time
+  parameters.history_recent = parameters.history_spread = 2;
+  if (!has_large_images) {
     parameters.voxel_size_m = 2.0;
-    parameters.ring_spacing_deg = parameters.azimuth_step_deg = 4.0;
+    parameters.ring_spacing_deg = parameters.azimuth_step_deg = 10.0;
+    if (in.choose(4) != 0) parameters.angular_levels_deg = {5.0, 10.0};
   }
   parameters.rolling_radius_m = in.choose(2) ? 15 : 0;
   if (in.choose(4) == 0) parameters.evidence_goes_to = "nearest_voxel";
@@ -48,8 +51,10 @@ void check(const ScanLabels& labels, const Scan& scan) {
 }
 
 void run(Input& in) {
-  Mapper mapper(small_parameters(in));
-  for (int scans = 0; scans < 6 && !in.empty(); ++scans) {
+  const bool has_large_images = in.choose(16) == 15;
+  Mapper mapper(small_parameters(in, has_large_images));
+  const int most_scans = has_large_images ? 2 : 6;
+  for (int scans = 0; scans < most_scans && !in.empty(); ++scans) {
     const Eigen::Isometry3d pose = take_pose(in);
     const Scan scan = take_scan(in);
     try {
