@@ -62,14 +62,16 @@ TEST(MapFile, AnEmptyMapIsAnEmptyFile) {
   const TemporaryFolder folder;
   MapSnapshot map;
   map.voxel_size_m = kSize_m;
-  for (const std::string name : {"map.pcd", "map.ply"}) {
-    save_map(map, folder.path(name));
-    pcl::PCLPointCloud2 cloud;
-    ASSERT_EQ(name == "map.pcd" ? pcl::PCDReader().read(folder.path(name), cloud)
-                                : pcl::PLYReader().read(folder.path(name), cloud),
-              0);
-    EXPECT_EQ(cloud.width * cloud.height, 0u);
-  }
+  save_map(map, folder.path("map.pcd"));
+  EXPECT_NE(read_text(folder.path("map.pcd")).find("\nWIDTH 0\nHEIGHT 1\n"), std::string::npos);
+  save_map(map, folder.path("map.ply"));
+  pcl::PCLPointCloud2 cloud;
+  ASSERT_EQ(pcl::PLYReader().read(folder.path("map.ply"), cloud), 0);
+  EXPECT_EQ(cloud.width * cloud.height, 0u);
+#if PCL_VERSION_COMPARE(>=, 1, 13, 0)  // 1.10 reads no .pcd without points
+  ASSERT_EQ(pcl::PCDReader().read(folder.path("map.pcd"), cloud), 0);
+  EXPECT_EQ(cloud.width * cloud.height, 0u);
+#endif
   save_map(map, folder.path("map.bt"));
   EXPECT_EQ(octomap::OcTree(folder.path("map.bt")).size(), 0u);
 }
