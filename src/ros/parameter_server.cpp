@@ -97,14 +97,21 @@ void set_from_server(NodeSettings& settings, const std::string& name, const XmlR
   set_parameter(settings.method, name, to_yaml_text(given));
 }
 
+/// As NodeHandle::param(), which is const in newer roscpp only.
+std::string text_param(const ros::NodeHandle& nh, const std::string& name, std::string value) {
+  nh.getParam(name, value);
+  return value;
+}
+
 }  // namespace
 
 NodeSettings load_settings(const ros::NodeHandle& private_nh) {
   const std::string& where = private_nh.getNamespace();
   try {
     NodeSettings settings;
-    settings.method = preset(private_nh.param<std::string>("preset", "default"));
-    apply_odometry_preset(private_nh.param("odometry_preset", settings.node.odometry_preset), settings.node);
+    settings.method = preset(text_param(private_nh, "preset", "default"));
+    apply_odometry_preset(text_param(private_nh, "odometry_preset", settings.node.odometry_preset),
+                          settings.node);
     XmlRpcValue all;
     if (private_nh.getParam(where, all) && all.getType() == XmlRpcValue::TypeStruct)
       for (auto& [name, value] : all) set_from_server(settings, name, value);
