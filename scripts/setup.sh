@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, by apt-get as root or with sudo.
 # Usage: scripts/setup.sh [MORE PACKAGES]
+# Environment: WITHOUT, those to leave out, where a distribution lacks them.
 set -euo pipefail
 
 packages=(
@@ -27,6 +28,7 @@ packages=(
 
 missing=()
 for package in "${packages[@]}"; do
+  if [[ " ${WITHOUT:-} " == *" $package "* ]]; then continue; fi
   dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -x installed >/dev/null || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then exit 0; fi
