@@ -110,6 +110,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
       "doubt_beside_movers", p.doubt_beside_movers,
       "surface in or right beside which a mover was seen has to be seen again to be known to stand: where it "
       "stood before, it leaves no ghost");
+  flag("settle_objects_together", p.settle_objects_together,
+       "in the end, an object of which nearly all that is decided moved has moved as a whole");
   number("hits_to_overrule", "scans", 0, 255, p.hits_to_overrule,
          "in the end, what was dynamic at the scan's own time turns static only where so many scans hit the "
          "voxel");

@@ -74,6 +74,7 @@ struct Parameters {
   bool take_feet_along = true;
   bool take_insides_along = true;
   bool doubt_beside_movers = true;
+  bool settle_objects_together = true;
   int hits_to_overrule = 5;
 
   // The experiment's structure gates (section 2.1); 0 switches a gate off.

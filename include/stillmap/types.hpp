@@ -41,11 +41,14 @@ inline constexpr int kReasonCount = 11;
 const char* to_string(Label label);
 const char* to_string(Reason reason);
 
-/// What process() says of each row of a scan; all three have the scan's size.
+inline constexpr std::int32_t kNoObject = -1;  ///< on the ground, by itself, or not judged
+
+/// What process() says of each row of a scan; all of them have the scan's size.
 struct ScanLabels {
   std::vector<Label> label;
   std::vector<float> p_static;  ///< probability of standing; 0.5 where nothing is known
   std::vector<Reason> reason;
+  std::vector<std::int32_t> object;  ///< rows of one number hang together in this scan; or kNoObject
 };
 
 struct LabelCounts {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stillmap/range_image.hpp"
+#include "stillmap/types.hpp"
 
 namespace stillmap {
 
@@ -13,7 +14,7 @@ namespace stillmap {
 /// pixels are neighbours and they lie closer than the beams' spacing there explains.
 class Clusters {
  public:
-  static constexpr std::int32_t kNone = -1;
+  static constexpr std::int32_t kNone = kNoObject;
 
   /// Of the rows that are given, ascending; they have a usable return. The others take no part.
   void find(const ProjectedScan& scan, SensorGeometry geometry, const std::vector<std::uint32_t>& rows);

@@ -185,7 +185,10 @@ struct Mapper::State : PresentScan {
   /// Why a voxel is not static.
   Reason reason_of(const VoxelBlock& block, const VoxelRef& voxel, Label label, const ScanView& view) const;
   void calibrate();
+
+  // relabelling.cpp
   bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
+  void settle_objects(ScanLabels& settled) const;
 
   // objects.cpp, patches.cpp, vanished.cpp, specks.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);

@@ -54,7 +54,7 @@ void Mapper::State::spread_moving() {
 // hit again, and is known after a scan or two; what was vacated is not, and the next beams through it settle
 // it.
 void Mapper::State::doubt_beside_movers() {
-  constexpr float kUntold = 0.0F, kHardlyStatic = 0.3F;  // log-odds
+  constexpr float kUntold = 0.0F, kHardlyStatic = 0.5F;  // log-odds
   const auto doubt = [](Voxel& voxel, float most) {
     if (voxel.came_back == 0 && voxel.log_odds() > most) voxel.set_log_odds(most);
   };

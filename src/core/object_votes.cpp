@@ -39,6 +39,14 @@ bool Votes::replaces_vanished() const {
   return share >= kHalf || (is_new && vanished >= kSeveral && share >= kTenth);
 }
 
+bool Votes::moved_in_the_end() const {
+  constexpr int kSeveral = 5;
+  constexpr float kOfDecided = 0.75F, kOfAll = 0.4F;
+  return dynamic >= kSeveral &&
+         static_cast<float>(dynamic) >= kOfDecided * static_cast<float>(dynamic + is_static) &&
+         static_cast<float>(dynamic) >= kOfAll * static_cast<float>(rows);
+}
+
 bool Votes::moves_as_a_whole() const {
   constexpr float kNone = 0.05F, kMajority = 0.5F, kNearlyAll = 0.8F;
   const auto all = static_cast<float>(rows);

@@ -58,6 +58,8 @@ struct Votes {
   bool replaces_vanished() const;
   /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.
   Reason verdict(float static_share) const;
+  /// In the end, by what the map says of its rows then: so clearly that the others moved, too.
+  bool moved_in_the_end() const;
   /// So clearly moving that rows which only just turned static are taken along.
   bool moves_as_a_whole() const;
 };

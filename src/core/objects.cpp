@@ -9,6 +9,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   upright.turn(projected, T_map_sensor.linear().cast<float>());
   separate_ground();
   clusters.find(projected, beams, standing_rows);
+  labels.object = clusters.of_row();
   find_followed();
   count_votes();
   if (parameters.vanish_test) test_vanished(scan, T_map_sensor, view);

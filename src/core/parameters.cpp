@@ -91,7 +91,7 @@ Parameters preset(const std::string& name) {
   p.full_support_on_return = false;
   p.resolve_objects = false;
   p.lean_together = p.take_feet_along = p.take_insides_along = false;
-  p.doubt_beside_movers = false;
+  p.doubt_beside_movers = p.settle_objects_together = false;
   p.hits_to_overrule = 0;
   p.gate_voxel_support = 3;  // section 2.1
   p.gate_neighbourhood_support = 60;

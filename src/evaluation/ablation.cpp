@@ -24,6 +24,7 @@ const std::vector<AblationSwitch>& switches() {
       {"objects: feet stay", {{"take_feet_along", "false"}}},
       {"objects: insides stay", {{"take_insides_along", "false"}}},
       {"beside movers nothing is doubted", {{"doubt_beside_movers", "false"}}},
+      {"in the end each point for itself", {{"settle_objects_together", "false"}}},
       {"in the end a single return overrules", {{"hits_to_overrule", "0"}}},
       {"surface at the centre of its voxel", {{"surface_in_voxel", "false"}}},
       {"conflict beside surface counts in full", {{"conflict_beside_surface", "1"}}},

@@ -66,7 +66,7 @@ class LabelledClouds {
     to_scan(message, scan);  // its layout must hold
     const std::size_t rows = scan.points.size();
     return {std::vector<Label>(rows, Label::kUncertain), std::vector<float>(rows, 0.5F),
-            std::vector<Reason>(rows, Reason::kNeverJudged)};
+            std::vector<Reason>(rows, Reason::kNeverJudged), std::vector<std::int32_t>(rows, kNoObject)};
   }
 
   LidarsInBag& sequence_;

@@ -11,7 +11,7 @@
 namespace stillmap {
 namespace {
 
-constexpr std::size_t kPointBytes = sizeof(Label) + sizeof(Reason) + sizeof(float);
+constexpr std::size_t kPointBytes = sizeof(Label) + sizeof(Reason) + sizeof(float) + sizeof(std::int32_t);
 
 std::FILE* open_unnamed(std::string name) {
   const int descriptor = mkstemp(name.data());
@@ -42,6 +42,7 @@ void LabelStore::append(const ScanLabels& labels) {
   write(file_.get(), labels.label);
   write(file_.get(), labels.reason);
   write(file_.get(), labels.p_static);
+  write(file_.get(), labels.object);
   offsets_.push_back(offsets_.back() + static_cast<std::int64_t>(labels.label.size()));
 }
 
@@ -53,6 +54,7 @@ ScanLabels LabelStore::read(std::size_t scan) const {
   stillmap::read(file_.get(), labels.label, count);
   stillmap::read(file_.get(), labels.reason, count);
   stillmap::read(file_.get(), labels.p_static, count);
+  stillmap::read(file_.get(), labels.object, count);
   return labels;
 }
 

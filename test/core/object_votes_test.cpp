@@ -62,6 +62,13 @@ TEST(Votes, MovesAsAWhole) {
   EXPECT_FALSE((Votes{100, 0, 90, 5, 79, 0, 0}.moves_as_a_whole())) << "only in part";
 }
 
+TEST(Votes, MovedInTheEnd) {
+  EXPECT_TRUE((Votes{75, 30, 10}.moved_in_the_end()));
+  EXPECT_FALSE((Votes{75, 30, 11}.moved_in_the_end())) << "too much of it is static";
+  EXPECT_FALSE((Votes{76, 30, 10}.moved_in_the_end())) << "hardly anything of it is decided";
+  EXPECT_FALSE((Votes{4, 4, 0}.moved_in_the_end())) << "a speck";
+}
+
 TEST(Votes, AddCountsARowAndItsClues) {
   Votes votes;
   RowClues clues;

@@ -195,7 +195,8 @@ TEST(RollingMap, TheLabelsDoNotDependOnIt) {
   for (std::size_t k = 0; k < frames.size(); k += 20) {
     const std::size_t rows = frames[k].scan.points.size();
     const ScanLabels open{std::vector<Label>(rows, Label::kUncertain), std::vector<float>(rows, 0.5F),
-                          std::vector<Reason>(rows, Reason::kNeverJudged)};
+                          std::vector<Reason>(rows, Reason::kNeverJudged),
+                          std::vector<std::int32_t>(rows, kNoObject)};
     const ScanLabels a = all.relabel(frames[k].scan, frames[k].T_map_sensor, open);
     EXPECT_EQ(a.label, rolling.relabel(frames[k].scan, frames[k].T_map_sensor, open).label);
     EXPECT_GT(count(a).is_static, rows / 2);

@@ -1,0 +1,73 @@
+#include <optional>
+
+#include "mapper_state.hpp"
+#include "structure_gates.hpp"
+
+namespace stillmap {
+
+// Where the map stays undecided, what was said at the scan's own time stands; so does a mover that nobody has
+// looked through since: its own returns, in a few scans, make no surface.
+bool Mapper::State::overrules(const Voxel& voxel, Label label_of_map, Label label_online) const {
+  if (label_of_map == Label::kUncertain || label_of_map == label_online) return false;
+  return label_of_map == Label::kDynamic || label_online == Label::kUncertain ||
+         voxel.hits >= parameters.hits_to_overrule;
+}
+
+ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
+                           const ScanLabels& online) const {
+  constexpr double kOffSurfaceM = 0.02;
+  State& s = up_to_date();  // the map stays what it is; the tiles around the scan are opened
+  s.rolling.move_to(T_map_sensor.translation());
+  s.rolling.leave(T_map_sensor.translation(), s.scan_count);
+  const GateSettings gate_values = gate_settings(s.parameters);
+  const auto gates =
+      gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;
+  ScanLabels settled = online;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
+    const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[row].cast<double>();
+    const VoxelKey key = s.map.key_of(point_map_m);
+    const Voxel* voxel = s.map.find(key);
+    if (voxel == nullptr) continue;
+    const float p_static = s.p_static[voxel->log_odds_fixed];
+    const Label label = s.decision(p_static);
+    if (gates && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
+      settled.label[row] = Label::kUncertain;
+      settled.reason[row] = Reason::kMixedEvidence;
+      continue;
+    }
+    if (!s.overrules(*voxel, label, online.label[row])) continue;
+    // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
+    const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
+    if (s.parameters.take_feet_along && online.label[row] == Label::kDynamic && above) continue;
+    settled.label[row] = label;
+    settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
+    settled.p_static[row] =
+        s.parameters.calibrate_p_static ? s.calibration(settled.reason[row], p_static) : p_static;
+  }
+  if (s.parameters.settle_objects_together) s.settle_objects(settled);
+  return settled;
+}
+
+// Feet that share their voxels with the ground, a side that slid along itself, what was never seen through.
+void Mapper::State::settle_objects(ScanLabels& settled) const {
+  std::vector<Votes> votes;
+  for (std::size_t row = 0; row < settled.object.size(); ++row) {
+    const std::int32_t object = settled.object[row];
+    if (object == kNoObject) continue;
+    if (votes.size() <= static_cast<std::size_t>(object)) votes.resize(object + 1);
+    votes[object].add(settled.label[row], {});
+  }
+  for (std::size_t row = 0; row < settled.object.size(); ++row) {
+    const std::int32_t object = settled.object[row];
+    if (object == kNoObject || settled.label[row] == Label::kDynamic || !votes[object].moved_in_the_end())
+      continue;
+    settled.label[row] = Label::kDynamic;
+    settled.reason[row] = Reason::kObjectMoves;
+    settled.p_static[row] = parameters.calibrate_p_static
+                                ? calibration(Reason::kObjectMoves, decision.p_dynamic_max)
+                                : decision.p_dynamic_max;
+  }
+}
+
+}  // namespace stillmap
