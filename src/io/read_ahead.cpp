@@ -1,8 +1,6 @@
 #include "io/read_ahead.hpp"
 
-#include <pthread.h>
-
-#include <ctime>
+#include "io/thread_cpu.hpp"
 
 namespace stillmap {
 namespace {
@@ -34,12 +32,7 @@ Frame ReadAhead::next() {
 }
 
 double ReadAhead::cpu_ms() {
-  clockid_t clock;
-  timespec time{};
-  // The thread lives as long as this does, and so does its clock.
-  pthread_getcpuclockid(worker_.native_handle(), &clock);
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+  return stillmap::cpu_ms(worker_);  // which lives as long as this does
 }
 
 ReadAhead::Slot ReadAhead::read(std::size_t index) {

@@ -12,6 +12,7 @@
 #include "io/read_ahead.hpp"
 #include "io/tile_folder.hpp"
 #include "io/whole_map.hpp"
+#include "io/write_behind.hpp"
 #include "stillmap/delayed_labels.hpp"
 #include "stillmap/mapper.hpp"
 #include "tools/label_store.hpp"
@@ -69,19 +70,37 @@ const ScanLabels& process(Mapper& mapper, const Frame& frame, EngineClock& clock
   }
 }
 
-/// Writes a pass's labels and counts them.
+/// Writes a pass's labels, and counts them, while the next scan is worked on.
 class PassWriter {
  public:
-  PassWriter(fs::path folder, LabelTotals& totals) : folder_(std::move(folder)), totals_(totals) {}
-  void write(const std::string& scan, const ScanLabels& labels) {
-    write_labels(folder_ / (scan + ".label"), labels.label);
-    totals_.add(labels);
+  PassWriter(fs::path folder, LabelTotals& totals, WriteBehind& behind, LabelStore* store = nullptr)
+      : folder_(std::move(folder)), totals_(totals), behind_(behind), store_(store) {}
+  void write(const std::string& scan, ScanLabels labels) {
+    behind_.add(
+        [file = folder_ / (scan + ".label"), totals = &totals_, store = store_, labels = std::move(labels)] {
+          write_labels(file, labels.label);
+          totals->add(labels);
+          if (store != nullptr) store->append(labels);
+        });
   }
 
  private:
   fs::path folder_;
   LabelTotals& totals_;
+  WriteBehind& behind_;
+  LabelStore* store_;  ///< keeps them, too
 };
+
+void label_by_final_map(Sequence& sequence, const std::vector<std::size_t>& indices, const Mapper& mapper,
+                        const LabelStore& online, PassWriter& final) {
+  ProgressBar progress("by the final map", indices.size());
+  ReadAhead reader(sequence, indices);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const Frame frame = reader.next();
+    final.write(frame.name, mapper.relabel(frame.scan, frame.T_map_sensor, online.read(k)));
+    progress.advance();
+  }
+}
 
 }  // namespace
 
@@ -97,37 +116,30 @@ void label_sequence(Sequence& sequence, const Parameters& parameters, const Labe
   Mapper mapper(parameters);
   mapper.set_tile_store(far_tiles.get());
   ReadAhead reader(sequence, indices);
-  EngineClock clock([&reader] { return reader.cpu_ms(); });
-  mapper.set_listener(&clock);
   RunSummary summary;
   LabelStore store(job.out);
+  WriteBehind behind;
+  PassWriter online(out / "online", summary.online, behind, job.final_labels ? &store : nullptr);
+  PassWriter delayed(out / "delayed", summary.delayed, behind), final(out / "final", summary.final, behind);
+  EngineClock clock([&] { return reader.cpu_ms() + behind.cpu_ms(); });
+  mapper.set_listener(&clock);
   DelayedLabels<Frame> waiting(job.delay);
-  PassWriter online(out / "online", summary.online), delayed(out / "delayed", summary.delayed),
-      final(out / "final", summary.final);
 
   ProgressBar online_bar("labelling", indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
     Frame frame = reader.next();
     const ScanLabels& labels = process(mapper, frame, clock);
     online.write(frame.name, labels);
-    if (job.final_labels) store.append(labels);
     if (job.delay > 0)
-      if (const auto settled = waiting.add(mapper, std::move(frame), labels))
-        delayed.write(settled->scan.name, settled->labels);
+      if (auto settled = waiting.add(mapper, std::move(frame), labels))
+        delayed.write(settled->scan.name, std::move(settled->labels));
     online_bar.advance();
   }
-  while (const auto settled = waiting.settle_oldest(mapper))
-    delayed.write(settled->scan.name, settled->labels);
-
-  if (job.final_labels) {
-    ProgressBar final_bar("by the final map", indices.size());
-    ReadAhead again(sequence, indices);
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      const Frame frame = again.next();
-      final.write(frame.name, mapper.relabel(frame.scan, frame.T_map_sensor, store.read(k)));
-      final_bar.advance();
-    }
-  }
+  while (auto settled = waiting.settle_oldest(mapper))
+    delayed.write(settled->scan.name, std::move(settled->labels));
+  behind.finish();
+  if (job.final_labels) label_by_final_map(sequence, indices, mapper, store, final);
+  behind.finish();
 
   std::mutex nobody_else;
   save_map(whole_map(mapper, far_tiles.get(), nobody_else), mapper.decision(),
