@@ -134,6 +134,15 @@ void Clusters::load_column(const ProjectedScan& scan, int column, Span span,
   }
 }
 
+// Returns of one pixel, wherever in it: most lie so close by their ranges that they need not be looked at.
+inline bool Clusters::share_a_surface(float nearer_m, float farther_m) const {
+  constexpr float kRounding = 0.97F;
+  const float reach = reach_m(nearer_m, reach_per_m_), deeper_m = farther_m - nearer_m;
+  const float across_m2 =
+      farther_m * farther_m * (grid_.column_rad * grid_.column_rad + grid_.row_rad * grid_.row_rad);
+  return deeper_m * deeper_m + across_m2 < kRounding * (reach * reach);
+}
+
 // A return that the nearest one of its pixel hides, at an edge, goes with what it touches in the pixels
 // around.
 std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::uint32_t row, std::int32_t own) const {
@@ -151,7 +160,8 @@ std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::uint32_t row, 
                 dz = scan.z_m[there] - scan.z_m[row];
     return together(dx, dy, dz, nearer_m, reach_per_m_) ? dx * dx + (dy * dy + dz * dz) : kFar;
   };
-  if (row_of(nearest_[own]) == static_cast<std::int32_t>(row) || distance_m2(own) < kFar) return own;
+  if (row_of(nearest_[own]) == static_cast<std::int32_t>(row)) return own;
+  if (share_a_surface(range_of(nearest_[own]), scan.range_m[row]) || distance_m2(own) < kFar) return own;
   const int own_column = own / grid_.rows, own_row = own % grid_.rows;
   std::int32_t closest = kNone;
   float closest_m2 = kFar;

@@ -23,25 +23,40 @@ class Clusters {
   const std::vector<std::int32_t>& of_row() const { return of_row_; }
   std::size_t count() const { return count_; }
 
-  /// Columns of the image all around, and that of a direction.
-  int columns() const { return grid_.columns; }
-  int column(float azimuth_rad) const { return grid_.column(azimuth_rad); }
-  /// Whether the test holds for one of the rows that took part, up to about two rings above a direction.
+  /// Pixels of the image, and that of a direction between those of the scan.
+  std::size_t pixels() const { return grid_.size(); }
+  int pixel(float azimuth_rad, float elevation_rad) const {
+    return grid_.column(azimuth_rad) * grid_.rows + std::clamp(grid_.row(elevation_rad), 0, grid_.rows - 1);
+  }
+  /// Whether the test holds for one of the rows that took part, up to about two rings above a pixel.
   template <class Test>
-  bool any_above(float azimuth_rad, float elevation_rad, Test&& test) const {
-    const int row = grid_.row(elevation_rad), column = grid_.column(azimuth_rad);
+  bool any_above(int pixel, Test&& test) const {
+    const int row = pixel % grid_.rows, column = pixel / grid_.rows;
     for (int c = column - 1; c <= column + 1; ++c)
-      for (int r = std::max(0, row); r <= std::min(grid_.rows - 1, row + 3); ++r) {
+      for (int r = row; r <= std::min(grid_.rows - 1, row + kAbove); ++r) {
         const Nearest above = nearest_[(c + grid_.columns) % grid_.columns * grid_.rows + r];
         if (above != kNothing && test(row_of(above))) return true;
       }
     return false;
+  }
+  /// Whether any_above() may come upon a row, in its pixel.
+  bool is_in_front(std::uint32_t row, int pixel) const {
+    return nearest_[pixel] != kNothing && row_of(nearest_[pixel]) == static_cast<std::int32_t>(row);
+  }
+  /// Calls visit(pixel) for those from which it looks at a pixel.
+  template <class Visitor>
+  void for_each_below(int pixel, Visitor&& visit) const {
+    const int row = pixel % grid_.rows, column = pixel / grid_.rows;
+    for (int c = column - 1; c <= column + 1; ++c)
+      for (int r = std::max(0, row - kAbove); r <= row; ++r)
+        visit((c + grid_.columns) % grid_.columns * grid_.rows + r);
   }
 
  private:
   /// The nearest return of a pixel: the bits of its range above its row, so that the least is the nearest.
   using Nearest = std::uint64_t;
   static constexpr Nearest kNothing = ~Nearest{0};
+  static constexpr int kAbove = 3;  ///< rows of pixels, about two rings
   /// Columns that one task joins; what reaches over their edge is joined afterwards.
   static constexpr int kStripe = 64;
   static std::int32_t row_of(Nearest nearest) { return static_cast<std::int32_t>(nearest & 0xFFFFFFFF); }
@@ -58,6 +73,7 @@ class Clusters {
   void link_columns(const ProjectedScan& scan, int first, int last);
   void load_column(const ProjectedScan& scan, int column, Span span,
                    const std::array<float*, 4>& planes) const;
+  bool share_a_surface(float nearer_m, float farther_m) const;
   std::int32_t surface_of(const ProjectedScan& scan, std::uint32_t row, std::int32_t own) const;
   void name_clusters(const ProjectedScan& scan, const std::vector<std::uint32_t>& rows);
   // cluster_joins.cpp

@@ -26,6 +26,19 @@ STILLMAP_VECTOR_CLONES void join_columns(std::size_t rows, const Columns<3>& nea
   }
 }
 
+/// Each row as it is where it has a return; else as the one `step` rows on.
+STILLMAP_VECTOR_CLONES void fill_from(std::ptrdiff_t step, std::size_t rows,
+                                      const std::uint16_t* __restrict near_before,
+                                      const std::uint16_t* __restrict far_before,
+                                      std::uint16_t* __restrict near, std::uint16_t* __restrict far) {
+  const std::uint16_t *near_there = near_before + step, *far_there = far_before + step;
+  for (std::size_t r = 0; r < rows; ++r) {
+    const std::uint16_t empty = far_before[r] > 0 ? 0 : 0xFFFF;
+    near[r] = static_cast<std::uint16_t>((near_before[r] & ~empty) | (near_there[r] & empty));
+    far[r] = static_cast<std::uint16_t>(far_before[r] | (far_there[r] & empty));
+  }
+}
+
 /// The last two columns are what lies below and above.
 STILLMAP_VECTOR_CLONES void bracket(std::size_t rows, const Columns<7>& near, const Columns<7>& far,
                                     std::uint32_t* __restrict spans) {
@@ -49,18 +62,21 @@ STILLMAP_VECTOR_CLONES void bracket(std::size_t rows, const Columns<7>& near, co
 ColumnBracket::ColumnBracket(const SphericalGrid& grid, int gap)
     : grid_(grid),
       gap_(gap),
-      wide_(static_cast<std::size_t>(grid.rows + 2 * kReach)),
-      below_(static_cast<std::size_t>(grid.rows)),
-      above_(static_cast<std::size_t>(grid.rows)) {}
+      margin_(static_cast<std::size_t>(std::max(gap, kReach))),
+      wide_(padded_rows()),
+      below_(padded_rows()),
+      above_(padded_rows()),
+      before_(padded_rows()) {}
 
 void ColumnBracket::run(const SpanPlanes& planes, int column, std::uint32_t* spans) {
   widen(planes, column);
-  look(true, below_);
-  look(false, above_);
-  const std::uint16_t *n = wide_.nearest.data(), *f = wide_.farthest.data();
+  look(-1, below_);
+  look(1, above_);
+  const std::uint16_t *n = &wide_.nearest[margin_], *f = &wide_.farthest[margin_];
   bracket(static_cast<std::size_t>(grid_.rows),
-          {n, n + 1, n + 2, n + 3, n + 4, below_.nearest.data(), above_.nearest.data()},
-          {f, f + 1, f + 2, f + 3, f + 4, below_.farthest.data(), above_.farthest.data()}, spans);
+          {n - 2, n - 1, n, n + 1, n + 2, &below_.nearest[margin_ - 1], &above_.nearest[margin_ + 1]},
+          {f - 2, f - 1, f, f + 1, f + 2, &below_.farthest[margin_ - 1], &above_.farthest[margin_ + 1]},
+          spans);
 }
 
 void ColumnBracket::widen(const SpanPlanes& planes, int column) {
@@ -69,22 +85,19 @@ void ColumnBracket::widen(const SpanPlanes& planes, int column) {
   const std::size_t here = static_cast<std::size_t>(column) * rows;
   const std::size_t right = static_cast<std::size_t>((column + 1) % grid_.columns) * rows;
   const std::uint16_t *n = planes.nearest.data(), *f = planes.farthest.data();
-  join_columns(rows, {n + left, n + here, n + right}, {f + left, f + here, f + right}, &wide_.nearest[kReach],
-               &wide_.farthest[kReach]);
+  join_columns(rows, {n + left, n + here, n + right}, {f + left, f + here, f + right},
+               &wide_.nearest[margin_], &wide_.farthest[margin_]);
 }
 
-void ColumnBracket::look(bool downwards, SpanPlanes& found) const {
-  const int step = downwards ? 1 : -1, first = downwards ? 0 : grid_.rows - 1;
-  std::uint16_t near = kNone, far = 0;
-  int rows_away = gap_;
-  for (int i = 0, r = first; i < grid_.rows; ++i, r += step) {
-    const bool in_reach = rows_away < gap_;
-    found.nearest[r] = in_reach ? near : kNone;
-    found.farthest[r] = in_reach ? far : std::uint16_t{0};
-    const bool has_return = wide_.farthest[r + kReach] > 0;
-    near = has_return ? wide_.nearest[r + kReach] : near;
-    far = has_return ? wide_.farthest[r + kReach] : far;
-    rows_away = has_return ? 0 : rows_away + 1;
+// The first return of 1, 2, 4 ... gap rows, made of that of half as many: no row waits for the one before.
+void ColumnBracket::look(int step, SpanPlanes& found) {
+  found = wide_;
+  for (int known = 1; known < gap_;) {
+    const int more = std::min(known, gap_ - known);
+    std::swap(found, before_);
+    fill_from(step * more, static_cast<std::size_t>(grid_.rows), &before_.nearest[margin_],
+              &before_.farthest[margin_], &found.nearest[margin_], &found.farthest[margin_]);
+    known += more;
   }
 }
 

@@ -29,13 +29,15 @@ class ColumnBracket {
 
  private:
   void widen(const SpanPlanes& planes, int column);
-  void look(bool downwards, SpanPlanes& found) const;
+  /// For each row the first return of `gap` rows from itself on, upwards (1) or downwards (-1).
+  void look(int step, SpanPlanes& found);
+  std::size_t padded_rows() const { return static_cast<std::size_t>(grid_.rows) + 2 * margin_; }
 
   static constexpr int kReach = 2;
   SphericalGrid grid_;
   int gap_;
-  SpanPlanes wide_;  ///< with kReach empty rows at both ends
-  SpanPlanes below_, above_;
+  std::size_t margin_;  ///< empty rows at both ends of those below
+  SpanPlanes wide_, below_, above_, before_;
 };
 
 }  // namespace stillmap

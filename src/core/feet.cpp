@@ -9,16 +9,21 @@ void Mapper::State::take_feet_along() {
   constexpr float kSureM = 0.02F, kHighestM = 0.3F;  // above the ground
   constexpr float kBesideM = 0.25F, kRightBelowM = 0.05F;
   if (moving_rows.empty()) return;
-  // Most columns have nothing that moves. What is settled here may lie above another foot.
-  moves_near_column.assign(static_cast<std::size_t>(clusters.columns()), 0);
+  // Above most of the ground nothing moves. What is settled here may lie above another foot.
+  moves_above_pixel.assign(clusters.pixels(), 0);
   for (const std::uint32_t row : moving_rows)
     if (labels.label[row] == Label::kDynamic) note_mover(row);
   find_rows(projected.size(), low_rows, [this](std::size_t row) {
     const float height_m = height_above_ground_m[row];
     return (height_m > 0) & (height_m < kHighestM);
   });
-  for (const std::uint32_t row : low_rows) {
-    if (moves_near_column[clusters.column(projected.azimuth_rad[row])] == 0) continue;
+  low_pixels.resize(low_rows.size());
+  for_rows(low_rows.size(), [this](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) low_pixels[i] = pixel_of(low_rows[i]);
+  });
+  for (std::size_t i = 0; i < low_rows.size(); ++i) {
+    const std::uint32_t row = low_rows[i];
+    if (moves_above_pixel[low_pixels[i]] == 0) continue;
     if (!is_judged(row) || labels.label[row] == Label::kDynamic) continue;
     const float height_m = height_above_ground_m[row];
     const float beside_m = height_m > kSureM ? kBesideM : kRightBelowM;  // a sole, or the ground beside it
@@ -27,16 +32,20 @@ void Mapper::State::take_feet_along() {
       return labels.label[above] == Label::kDynamic && dx_m * dx_m + dy_m * dy_m < beside_m * beside_m &&
              belongs_to_mover(above);
     };
-    if (!clusters.any_above(projected.azimuth_rad[row], projected.elevation_rad[row], moves_right_above))
-      continue;
+    if (!clusters.any_above(low_pixels[i], moves_right_above)) continue;
     settle(row, Reason::kObjectMoves);
     note_mover(row);
   }
 }
 
-void Mapper::State::note_mover(std::size_t row) {
-  const int column = clusters.column(projected.azimuth_rad[row]), columns = clusters.columns();
-  for (const int near : {column + columns - 1, column, column + 1}) moves_near_column[near % columns] = 1;
+int Mapper::State::pixel_of(std::uint32_t row) const {
+  return clusters.pixel(projected.azimuth_rad[row], projected.elevation_rad[row]);
+}
+
+void Mapper::State::note_mover(std::uint32_t row) {
+  const int pixel = pixel_of(row);
+  if (clusters.is_in_front(row, pixel) && belongs_to_mover(static_cast<std::int32_t>(row)))
+    clusters.for_each_below(pixel, [this](int below) { moves_above_pixel[below] = 1; });
 }
 
 // A few dynamic returns of a tuft of grass have no feet.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "on_all_threads.hpp"
@@ -21,10 +22,10 @@ template <class Test>
 void find_rows(std::size_t count, std::vector<std::uint32_t>& rows, Test&& test) {
   constexpr std::size_t kAtOnce = 2048;
   const std::size_t pieces = (count + kAtOnce - 1) / kAtOnce;
-  std::vector<std::size_t> found(pieces);  // in each piece, which writes to its own place in `rows`
-  rows.resize(count);
+  std::vector<std::size_t> found(pieces);  // in each piece, which has its own place in `room`
+  const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[pieces * kAtOnce]);  // not set to zero first
   for_each_index(pieces, [&](std::size_t piece) {
-    std::uint32_t* const begin = &rows[piece * kAtOnce];
+    std::uint32_t* const begin = &room[piece * kAtOnce];
     std::uint32_t* end = begin;
     for (std::size_t row = piece * kAtOnce; row < std::min(count, (piece + 1) * kAtOnce); ++row) {
       *end = static_cast<std::uint32_t>(row);
@@ -32,12 +33,9 @@ void find_rows(std::size_t count, std::vector<std::uint32_t>& rows, Test&& test)
     }
     found[piece] = static_cast<std::size_t>(end - begin);
   });
-  auto end = rows.begin();
-  for (std::size_t piece = 0; piece < pieces; ++piece) {
-    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(piece * kAtOnce);
-    end = std::copy(begin, begin + static_cast<std::ptrdiff_t>(found[piece]), end);
-  }
-  rows.erase(end, rows.end());
+  rows.clear();
+  for (std::size_t piece = 0; piece < pieces; ++piece)
+    rows.insert(rows.end(), &room[piece * kAtOnce], &room[piece * kAtOnce] + found[piece]);
 }
 
 }  // namespace stillmap

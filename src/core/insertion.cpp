@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "mapper_state.hpp"
@@ -13,7 +14,7 @@ void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
   for_each_hit_block([this](HitBlock& hit) { insert_rows(hit); });
   new_voxels.clear();
   for (const HitBlock& hit : hit_blocks)
-    for (std::uint32_t i = 0; i < hit.new_count; ++i) new_voxels.push_back(new_rows[hit.first_row + i]);
+    for (std::uint32_t i = 0; i < hit.new_count; ++i) new_voxels.push_back(made_by_block[hit.first_row + i]);
   map.count_created(new_voxels.size());
 }
 
@@ -26,24 +27,18 @@ void Mapper::State::find_hit_blocks() {
   };
   constexpr std::size_t kRecent = 8192;
   std::array<Recent, kRecent> recent;
-  Recent last;  // neighbouring rows mostly share a block
   hit_blocks.clear();
-  hit_of_row.resize(projected.size());
-  voxel_of_row.resize(projected.size());
-  for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
-    const std::uint64_t key = located.block[row];
-    if (key == LocatedRows::kNowhere) {
-      hit_of_row[row] = VoxelRef::kNone;
-      voxel_of_row[row] = VoxelRef{};
-      continue;
-    }
-    if (key != last.key) {
-      Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
-      if (entry.key != key) entry = {key, hit_of_block(key)};
-      last = entry;
-    }
-    hit_of_row[row] = last.hit;
-    ++hit_blocks[last.hit].row_count;
+  block_runs.clear();
+  const auto rows = static_cast<std::uint32_t>(projected.size());
+  const std::uint64_t* const block = located.block.data();
+  for (std::uint32_t row = 0, end; row < rows; row = end) {
+    const std::uint64_t key = block[row];
+    for (end = row + 1; end < rows && block[end] == key;) ++end;
+    if (key == LocatedRows::kNowhere) continue;
+    Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
+    if (entry.key != key) entry = {key, hit_of_block(key)};
+    block_runs.push_back({entry.hit, row, end});
+    hit_blocks[entry.hit].row_count += end - row;
   }
 }
 
@@ -66,11 +61,12 @@ void Mapper::State::sort_rows_by_block() {
     hit.row_count = 0;
   }
   rows_by_block.resize(rows);
-  new_rows.resize(rows);
-  for (std::size_t row = 0; row < hit_of_row.size(); ++row) {
-    if (hit_of_row[row] == VoxelRef::kNone) continue;
-    HitBlock& hit = hit_blocks[hit_of_row[row]];
-    rows_by_block[hit.first_row + hit.row_count++] = static_cast<std::uint32_t>(row);
+  ranks_by_block.resize(rows);
+  made_by_block.resize(rows);
+  for (const BlockRun& run : block_runs) {
+    HitBlock& hit = hit_blocks[run.hit];
+    for (std::uint32_t row = run.first; row < run.last; ++row)
+      rows_by_block[hit.first_row + hit.row_count++] = row;
   }
 }
 
@@ -91,11 +87,12 @@ STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {
     const std::uint16_t place = located.place[rows[i]];
     const int rank = block.rank(place);
     block.stored(rank).hit(parameters.surface_in_voxel ? located.offset(rows[i]) : centre, lidars);
-    voxel_of_row[rows[i]] = {hit.index, place, static_cast<std::uint16_t>(rank)};
+    ranks_by_block[hit.first_row + i] = static_cast<std::uint16_t>(rank);
     const std::uint64_t bit = std::uint64_t{1} << (place & 63);
     if ((made[place >> 6] & bit) == 0) continue;
     made[place >> 6] &= ~bit;  // by its first return
-    new_rows[hit.first_row + hit.new_count++] = rows[i];
+    made_by_block[hit.first_row + hit.new_count++] = {rows[i], hit.index, place,
+                                                      static_cast<std::uint16_t>(rank)};
   }
   if (!every_voxel_is_judged) return;
   find_known_surface(block);

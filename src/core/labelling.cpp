@@ -4,7 +4,7 @@
 namespace stillmap {
 
 void Mapper::State::decide(const ScanView& view) {
-  const std::size_t n = voxel_of_row.size();
+  const std::size_t n = projected.size();
   labels.label.resize(n);
   labels.p_static.resize(n);
   labels.reason.resize(n);
@@ -23,28 +23,38 @@ void Mapper::State::decide(const ScanView& view) {
 
 void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
   constexpr int kYoungScans = 10;
-  for (std::uint32_t i = 0; i < hit.row_count; ++i) {
-    const std::uint32_t row = rows_by_block[hit.first_row + i];
-    const Voxel& voxel = hit.block->stored(voxel_of_row[row].rank);
-    const float p = p_static[voxel.log_odds_fixed];
-    const Label label = decision(p);
-    on_old_surface[row] = voxel.age >= scans_of_all(kYoungScans);
+  const int old = static_cast<int>(scans_of_all(kYoungScans));
+  int rank = -1;  // rows that follow each other mostly lie in one voxel
+  float p = 0;
+  auto label = Label::kUncertain;
+  auto reason = Reason::kNeverJudged;
+  bool is_old = false;
+  for (std::uint32_t i = hit.first_row; i < hit.first_row + hit.row_count; ++i) {
+    const std::uint32_t row = rows_by_block[i];
+    if (ranks_by_block[i] != rank) {
+      rank = ranks_by_block[i];
+      const Voxel& voxel = hit.block->stored(rank);
+      p = p_static[voxel.log_odds_fixed];
+      label = decision(p);
+      is_old = voxel.age >= old;
+      reason = label == Label::kStatic ? Reason::kSupported
+                                       : reason_of(*hit.block, voxel, located.place[row], label, view);
+    }
+    on_old_surface[row] = is_old;
     labels.p_static[row] = p;
     labels.label[row] = label;
-    labels.reason[row] =
-        label == Label::kStatic ? Reason::kSupported : reason_of(*hit.block, voxel_of_row[row], label, view);
+    labels.reason[row] = reason;
   }
 }
 
-Reason Mapper::State::reason_of(const VoxelBlock& block, const VoxelRef& ref, Label label,
+Reason Mapper::State::reason_of(const VoxelBlock& block, const Voxel& voxel, int place, Label label,
                                 const ScanView& view) const {
-  const Voxel& voxel = block.stored(ref.rank);
   if (label == Label::kUncertain)
     return voxel.age == 0 && voxel.log_odds_fixed == untold.log_odds_fixed ? Reason::kNeverJudged
                                                                            : Reason::kMixedEvidence;
   if (parameters.hit_is_support) return Reason::kSeenThrough;
   const Eigen::Vector3d in_edges =
-      voxel_key(block.key(), ref.place).cast<double>() + voxel.surface_offset().cast<double>();
+      voxel_key(block.key(), place).cast<double>() + voxel.surface_offset().cast<double>();
   const FusedEvidence now = view.evidence(view.to_sensor(in_edges * map.voxel_size_m()), models);
   return now.kind() == Evidence::kConflict ? Reason::kSeenThroughNow : Reason::kSeenThrough;
 }

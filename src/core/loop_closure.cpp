@@ -151,10 +151,8 @@ void Mapper::State::judge_again(const ScanView& view, const CoarseView& coarse, 
 void Mapper::State::remember_for_corrections(const ScanView& view, const Eigen::Isometry3d& T_map_sensor) {
   std::vector<VoxelKey> born;
   born.reserve(new_voxels.size());
-  for (const std::uint32_t row : new_voxels) {
-    const VoxelRef& voxel = voxel_of_row[row];
+  for (const NewVoxel& voxel : new_voxels)
     born.push_back(voxel_key(map.block(voxel.block).key(), static_cast<int>(voxel.place)));
-  }
   submaps.add({view.stamp_ns, T_map_sensor}, view.sensor == 0, view, born, VoxelReader(rolling, scan_count));
 }
 

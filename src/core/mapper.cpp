@@ -96,6 +96,7 @@ Mapper::State& Mapper::up_to_date() const {
 void Mapper::State::upkeep() {
   arena.run([this] {
     ScanView& view = awaits_upkeep->view;
+    if (parameters.resolve_objects) remember_moving();
     if (parameters.doubt_beside_movers) doubt_beside_movers();
     apply_evidence_to_others(view);  // eq. (2) to (8) for the voxels that no row of the scan lies in
     if (submaps.enabled()) remember_for_corrections(view, awaits_upkeep->T_map_sensor);

@@ -9,6 +9,7 @@
 #include "block_projection.hpp"
 #include "calibration.hpp"
 #include "coarse_image.hpp"
+#include "map_points.hpp"
 #include "on_all_threads.hpp"
 #include "present_scan.hpp"
 #include "probability_table.hpp"
@@ -83,8 +84,10 @@ struct Mapper::State : PresentScan {
   }
   void sort_rows_by_block();
   void insert_rows(HitBlock& hit);
-  Voxel& voxel_of(const VoxelRef& ref) { return map.block(ref.block).stored(ref.rank); }
-  const Voxel& voxel_of(const VoxelRef& ref) const { return map.block(ref.block).stored(ref.rank); }
+  /// Index in the map of the block that a judged row lies in.
+  std::uint32_t block_of(std::uint32_t row) const {
+    return static_cast<std::uint32_t>(map.find_block(unpacked(located.block[row])));
+  }
   /// Calls work(hit) for each block that this scan hit, on all threads; voxels are fetched ahead.
   template <class Work>
   void for_each_hit_block(Work&& work) {
@@ -120,7 +123,7 @@ struct Mapper::State : PresentScan {
   // replay.cpp
   void replay_history(const Eigen::Isometry3d& T_map_sensor);
   void replay_history(const Eigen::Isometry3d& T_map_sensor, std::size_t first, std::size_t last);
-  float replay_conflict_factor(const VoxelRef& voxel) const;
+  float replay_conflict_factor(const NewVoxel& voxel) const;
 
   // neighbourhood.cpp
   void find_known_surface(VoxelBlock& block) const;
@@ -183,7 +186,8 @@ struct Mapper::State : PresentScan {
   void decide(const ScanView& view);
   void decide_rows(const HitBlock& hit, const ScanView& view);
   /// Why a voxel is not static.
-  Reason reason_of(const VoxelBlock& block, const VoxelRef& voxel, Label label, const ScanView& view) const;
+  Reason reason_of(const VoxelBlock& block, const Voxel& voxel, int place, Label label,
+                   const ScanView& view) const;
   void calibrate();
 
   // relabelling.cpp
@@ -205,8 +209,8 @@ struct Mapper::State : PresentScan {
   }
   void test_vanished(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   /// Of each point: whether what hid its place from an earlier scan is gone.
-  std::vector<std::uint8_t> replaced_vanished(const std::vector<Eigen::Vector3d>& points_map_m,
-                                              const ScanHistory& history, const ScanView& view) const;
+  std::vector<std::uint8_t> replaced_vanished(MapPoints& points, const ScanHistory& history,
+                                              const ScanView& view) const;
   void decide_by_vote();
   void settle(std::size_t row, Reason reason);
   void defer_specks();
@@ -228,7 +232,8 @@ struct Mapper::State : PresentScan {
 
   // feet.cpp
   void take_feet_along();
-  void note_mover(std::size_t row);
+  int pixel_of(std::uint32_t row) const;  ///< of clusters
+  void note_mover(std::uint32_t row);
   bool belongs_to_mover(std::int32_t row) const;
 };
 

@@ -18,13 +18,14 @@ bool Mapper::State::saw_mover(std::uint32_t row) const {
 void Mapper::State::remember_moving() {
   for (const std::uint32_t row : moving_rows) {
     if (!saw_mover(row)) continue;
-    VoxelBlock& block = map.block(voxel_of_row[row].block);
+    const std::uint32_t index = block_of(row);
+    VoxelBlock& block = map.block(index);
     if (block.moving_scan != scan_count) {
       block.moving_scan = scan_count;
       block.moving = 0;
-      moving_blocks.push_back(voxel_of_row[row].block);
+      moving_blocks.push_back(index);
     }
-    block.moving |= cell_bit(static_cast<int>(voxel_of_row[row].place));
+    block.moving |= cell_bit(located.place[row]);
   }
   spread_moving();
 }
@@ -59,7 +60,7 @@ void Mapper::State::doubt_beside_movers() {
     if (voxel.came_back == 0 && voxel.log_odds() > most) voxel.set_log_odds(most);
   };
   for (const std::uint32_t row : moving_rows)
-    if (saw_mover(row)) doubt(voxel_of(voxel_of_row[row]), kUntold);
+    if (saw_mover(row)) doubt(map.block(block_of(row)).at(located.place[row]), kUntold);
   for (const auto& [key, cells] : moving_around) {
     const std::int64_t index = map.find_block(unpacked(key));
     if (index < 0) continue;

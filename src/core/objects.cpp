@@ -18,7 +18,6 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
             [this](std::size_t row) { return labels.label[row] == Label::kDynamic; });
   defer_specks();
   if (parameters.take_insides_along) take_insides_along();
-  remember_moving();
   if (parameters.take_feet_along) take_feet_along();
 }
 

@@ -142,6 +142,41 @@ std::vector<int> by_brute_force(const Scan& scan, const ProjectedScan& p) {
   return cluster;
 }
 
+// Returns of one pixel are connected by their ranges alone where these are close: never what is too far
+// apart.
+TEST(Clusters, ReturnsOfOnePixelAreTogetherAsFarAsTheyReach) {
+  const float kRange_m = 10, kReach_m = 0.25F + 1.2F * kSensor.spacing_deg() * kRad * kRange_m;
+  for (int step = 1; step < 100; ++step) {
+    const float deeper_m = 0.01F * static_cast<float>(step);
+    if (std::abs(deeper_m - kReach_m) < 0.001F) continue;
+    Scan scan = plates({{-6, 6}});
+    for (const float range_m : {kRange_m, kRange_m + deeper_m})
+      scan.points.emplace_back(range_m * direction(90 * kRad, 0));
+    const ProjectedScan p = projected(scan);
+    Clusters clusters;
+    clusters.find(p, kGeometry, all_usable(p));
+    const auto& of_row = clusters.of_row();
+    EXPECT_EQ(of_row.back() == of_row[of_row.size() - 2], deeper_m < kReach_m) << deeper_m;
+  }
+}
+
+TEST(Clusters, APixelBelowIsOneFromWhichItIsFoundAbove) {
+  const ProjectedScan p = projected(plates({{-6, 6}}));
+  Clusters clusters;
+  clusters.find(p, kGeometry, all_usable(p));
+  const auto pixel_of = [&](std::uint32_t row) {
+    return clusters.pixel(p.azimuth_rad[row], p.elevation_rad[row]);
+  };
+  std::uint32_t row = all_usable(p)[100];
+  while (!clusters.is_in_front(row, pixel_of(row))) ++row;
+  const int here = pixel_of(row);
+  std::set<int> below;
+  clusters.for_each_below(here, [&](int pixel) { below.insert(pixel); });
+  const auto is_it = [&](std::int32_t other) { return other == static_cast<std::int32_t>(row); };
+  for (int pixel = 0; pixel < static_cast<int>(clusters.pixels()); ++pixel)
+    EXPECT_EQ(clusters.any_above(pixel, is_it), below.count(pixel) != 0) << pixel;
+}
+
 TEST(Clusters, ConnectAsBruteForceDoes) {
   std::mt19937 random(10);
   std::uniform_real_distribution<float> share(0, 1);
