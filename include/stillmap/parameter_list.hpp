@@ -74,6 +74,9 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
   number("replay_support_min_age", "scans", 1, 100, p.replay_support_min_age,
          "support for a new voxel counts only from scans at least this old");
 
+  flag("align_scans", p.align_scans,
+       "a scan whose pose jumps against surface known to stand is moved onto it before it is judged");
+
   number("conflict_beside_surface", "", 0.0, 1.0, p.conflict_beside_surface,
          "factor on a conflict where this scan hits, right beside, surface known to stand: leaves, edges, "
          "pose noise");
@@ -102,6 +105,8 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
          "moving pieces smaller than this on an object that stands are deferred; 0 = off");
   flag("lean_together", p.lean_together,
        "an object of which at least half leans towards moving moves, though hardly a point of it is decided");
+  flag("remember_arrivals", p.remember_arrivals,
+       "the new voxels of a thing that moves as a whole count as seen through: it may stop right there");
   flag("take_feet_along", p.take_feet_along,
        "what rises a little above the ground right below something that moves goes with it");
   flag("take_insides_along", p.take_insides_along,

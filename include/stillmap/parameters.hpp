@@ -56,6 +56,9 @@ struct Parameters {
   int history_spread = 10;
   int replay_support_min_age = 3;
 
+  // An odometry that shakes.
+  bool align_scans = true;
+
   // Porous things, sway and pose noise.
   double conflict_beside_surface = 0.15;
   double conflict_porous = 0.2;
@@ -71,6 +74,7 @@ struct Parameters {
   bool vanish_test = true;
   double speck_size_m = 0.3;
   bool lean_together = true;
+  bool remember_arrivals = true;
   bool take_feet_along = true;
   bool take_insides_along = true;
   bool doubt_beside_movers = true;

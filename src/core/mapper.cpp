@@ -66,18 +66,20 @@ const ScanLabels& Mapper::label(const Scan& scan, const Eigen::Isometry3d& T_map
   s.go_on_to(scan.stamp_ns);
   s.arena.run([&] {
     s.awaits_upkeep.emplace(LabelledScan{s.view_of(scan, T_map_sensor), T_map_sensor});
-    const ScanView& view = s.awaits_upkeep->view;  // I_O at all levels, eq. (2)
-    s.ended(Stage::kRangeImage);
     s.rolling.move_to(T_map_sensor.translation());
-    s.insert(T_map_sensor);
+    if (s.parameters.align_scans) s.align(*s.awaits_upkeep);
+    const ScanView& view = s.awaits_upkeep->view;  // I_O at all levels, eq. (2)
+    const Eigen::Isometry3d& T_aligned = s.awaits_upkeep->T_map_sensor;
+    s.ended(Stage::kRangeImage);
+    s.insert(T_aligned);
     s.ended(Stage::kInsertion);
     s.apply_evidence_to_hits(view);  // eq. (2) to (8) for the voxels known before that this scan hit
     s.ended(Stage::kEvidence);
-    s.replay_history(T_map_sensor);  // the same for the new ones, with earlier scans
+    s.replay_history(T_aligned);  // the same for the new ones, with earlier scans
     s.ended(Stage::kReplay);
     s.decide(view);  // eq. (9)
     s.ended(Stage::kDecision);
-    if (s.parameters.resolve_objects) s.resolve_objects(scan, T_map_sensor, view);
+    if (s.parameters.resolve_objects) s.resolve_objects(scan, T_aligned, view);
     if (s.parameters.calibrate_p_static) s.calibrate();
     s.ended(Stage::kObjects);
   });

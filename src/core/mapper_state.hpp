@@ -14,6 +14,7 @@
 #include "present_scan.hpp"
 #include "probability_table.hpp"
 #include "rolling_map.hpp"
+#include "scan_alignment.hpp"
 #include "scan_history.hpp"
 #include "stillmap/decision.hpp"
 #include "stillmap/mapper.hpp"
@@ -30,6 +31,7 @@ struct SensorState {
   ScanHistory history;
   SensorGeometry beams{};  ///< as its last scan left them
   std::uint32_t scans = 0;
+  PoseJumps jumps{};
 };
 
 /// All that a Mapper holds: its map, and of the present scan what the base holds. The steps of process() are
@@ -74,6 +76,11 @@ struct Mapper::State : PresentScan {
   void ended(Stage stage) {
     if (listener != nullptr) listener->stage_ended(stage);
   }
+
+  // scan_alignment.cpp
+  void align(LabelledScan& scan);
+  /// Where the map has a scan that was seen before.
+  Eigen::Isometry3d realigned(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) const;
 
   // insertion.cpp
   void insert(const Eigen::Isometry3d& T_map_sensor);
@@ -194,7 +201,7 @@ struct Mapper::State : PresentScan {
   bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
   void settle_objects(ScanLabels& settled) const;
 
-  // objects.cpp, patches.cpp, vanished.cpp, specks.cpp
+  // objects.cpp, patches.cpp, vanished.cpp, specks.cpp, arrivals.cpp
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
   void separate_ground();
   void find_followed();
@@ -214,6 +221,7 @@ struct Mapper::State : PresentScan {
   void decide_by_vote();
   void settle(std::size_t row, Reason reason);
   void defer_specks();
+  void remember_arrivals();
   bool is_judged(std::size_t row) const {
     return (labels.label[row] != Label::kInvalid) & (labels.reason[row] != Reason::kOutOfRange);
   }

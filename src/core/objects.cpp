@@ -17,6 +17,7 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   find_rows(projected.size(), moving_rows,
             [this](std::size_t row) { return labels.label[row] == Label::kDynamic; });
   defer_specks();
+  if (parameters.remember_arrivals) remember_arrivals();
   if (parameters.take_insides_along) take_insides_along();
   if (parameters.take_feet_along) take_feet_along();
 }

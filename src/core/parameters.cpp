@@ -86,11 +86,12 @@ Parameters preset(const std::string& name) {
   p.settle_time_s = 0;
   p.calibrate_p_static = false;
   p.history_recent = p.history_spread = 0;
+  p.align_scans = false;
   p.conflict_beside_surface = p.conflict_porous = 1;
   p.conflict_reach_voxels = 0;
   p.full_support_on_return = false;
   p.resolve_objects = false;
-  p.lean_together = p.take_feet_along = p.take_insides_along = false;
+  p.lean_together = p.remember_arrivals = p.take_feet_along = p.take_insides_along = false;
   p.doubt_beside_movers = p.settle_objects_together = false;
   p.hits_to_overrule = 0;
   p.gate_voxel_support = 3;  // section 2.1

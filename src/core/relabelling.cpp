@@ -19,13 +19,14 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   State& s = up_to_date();  // the map stays what it is; the tiles around the scan are opened
   s.rolling.move_to(T_map_sensor.translation());
   s.rolling.leave(T_map_sensor.translation(), s.scan_count);
+  const Eigen::Isometry3d T_aligned = s.realigned(scan, T_map_sensor);
   const GateSettings gate_values = gate_settings(s.parameters);
   const auto gates =
       gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;
   ScanLabels settled = online;
   for (std::size_t row = 0; row < scan.points.size(); ++row) {
     if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
-    const Eigen::Vector3d point_map_m = T_map_sensor * scan.points[row].cast<double>();
+    const Eigen::Vector3d point_map_m = T_aligned * scan.points[row].cast<double>();
     const VoxelKey key = s.map.key_of(point_map_m);
     const Voxel* voxel = s.map.find(key);
     if (voxel == nullptr) continue;

@@ -24,9 +24,9 @@ SimulationOptions recorded(const std::string& scene) {
 // either side in float and in double. So the numbers of columns share no factor with the sensor's 1800 shots,
 // and each scan has one return below all rings, whose elevation places the rows.
 
-/// Without objects, and with the sensor's spacing given.
+/// Without objects, with the poses as they are given, and with the sensor's spacing given.
 Parameters plain(Parameters p) {
-  p.resolve_objects = false;
+  p.resolve_objects = p.align_scans = false;
   p.voxel_size_m = 0.2;
   p.max_range_m = 50;
   p.ring_spacing_deg = 2;

@@ -121,6 +121,20 @@ Settling settling_of_a_car_that_parks(const std::string& sensor, const Parameter
   return {is_static(45), is_static(75)};
 }
 
+TEST(HardMovers, SomeoneWhoComesCloserAndStops) {
+  World world = road_between_houses(60);
+  Random random(36);
+  add_person(&world, Path({{12, 0.3}, {1, 0.3}}), SpeedProfile::stopping(5, 1.2), &random);
+  const auto flagged_after_he_stopped = [&](bool remember_arrivals) {
+    Parameters parameters;
+    parameters.remember_arrivals = remember_arrivals;
+    Mapper mapper(parameters);
+    return flagged(run(&mapper, world, standing_at(0, 0, 1.2), {"vlp16", 90}), 55, 85);
+  };
+  EXPECT_GE(measured("flagged in the 3 s after he stopped, %", flagged_after_he_stopped(true)), 97);  // 99.9
+  EXPECT_LE(measured("his arrival forgotten, %", flagged_after_he_stopped(false)), 95);               // 91.3
+}
+
 TEST(HardMovers, ACarThatParksSettlesAfterItsTime) {
   const Settling by_default = settling_of_a_car_that_parks("vlp16", Parameters{});
   EXPECT_LE(measured("static after 45 s, %", by_default.after_45_s), 10);
