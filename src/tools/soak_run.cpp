@@ -1,6 +1,5 @@
 #include "tools/soak_run.hpp"
 
-#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -117,7 +116,6 @@ void soak(Sequence& lap, const Parameters& parameters, const SoakJob& job) {
     const std::size_t young_from = end - 2 * lap.size(), compared_from = end - lap.size();
     const std::size_t half = (scans - 2 * lap.size()) / 2;
     old.clock = EngineClock();
-    malloc_trim(0);  // of what the second map of the stretch before has left
     for (; way.scans < young_from; way.weigh(way.scans > half)) {  // without the second map
       const Frame frame = sequence.read(way.scans);
       old.drive(frame);

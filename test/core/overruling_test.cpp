@@ -12,6 +12,7 @@ double share_that_moves_in_the_end(int hits_to_overrule) {
   constexpr int kScans = 20, kLast = 4;
   Parameters parameters;
   parameters.hits_to_overrule = hits_to_overrule;
+  parameters.doubt_beside_movers = parameters.settle_objects_together = false;  // which mend most of it, too
   Mapper mapper(parameters);
   const Van van{0.06F};  // each voxel is hit by two scans
   std::vector<ScanLabels> online;
