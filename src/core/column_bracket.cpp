@@ -8,8 +8,6 @@
 namespace stillmap {
 namespace {
 
-constexpr std::uint16_t kNone = 0xFFFF;
-
 /// Columns, or one column and the same shifted by some rows: pointers of their own keep the loops below free
 /// of what the compiler would carry from row to row.
 template <std::size_t kCount>
