@@ -1,5 +1,6 @@
 #include "tools/soak_run.hpp"
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ struct ComparedLap {
 /// The way travelled, with memory over it.
 struct Way {
   std::size_t scans = 0;
-  double hours = 0, km = 0, mb = 0, most_mb = 0, weighed_km = 0, half_way_km = 0, half_way_mb = 0;
+  double hours = 0, km = 0, mb = 0, most_mb = 0, half_way_km = 0, half_way_mb = 0;
   Eigen::Vector3d place_map_m = Eigen::Vector3d::Zero();
 
   void go_on(const Frame& frame) {
@@ -73,12 +74,16 @@ struct Way {
   void weigh(bool is_beyond_half) {
     mb = resident_mb();
     most_mb = std::max(most_mb, mb);
-    weighed_km = km;
     if (!is_beyond_half || half_way_mb > 0) return;
     half_way_km = km;
-    half_way_mb = mb;
+    half_way_mb = mb_in_use();
   }
-  double mb_per_km() const { return (mb - half_way_mb) / std::max(1e-6, weighed_km - half_way_km); }
+  /// Without what the allocator keeps of a second map that is gone: growth is told by this.
+  static double mb_in_use() {
+    malloc_trim(0);
+    return resident_mb();
+  }
+  double mb_per_km() const { return (mb_in_use() - half_way_mb) / std::max(1e-6, km - half_way_km); }
 };
 
 /// The scans since the clock was set anew.
