@@ -24,7 +24,8 @@ else
   world=(--sensor hdl64 --scans 1000 --ego-speed 5)
   options=(--most-mb-per-km 60 --most-different-percent 2)
   if [ "${ROLLING:-0}" = 1 ]; then
-    options=(--set rolling_radius_m=150 "${rolling[@]}" --set rolling_disk_mb=2000
+    # One row: the second map of an earlier one would leave holes in memory, which are not the map's growth.
+    options=(--rows 1 --set rolling_radius_m=150 "${rolling[@]}" --set rolling_disk_mb=2000
       --most-mb 250 --most-mb-per-km 2 --most-different-percent 2)
   fi
 fi

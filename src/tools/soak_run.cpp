@@ -62,7 +62,8 @@ struct ComparedLap {
 /// The way travelled, with memory over it.
 struct Way {
   std::size_t scans = 0;
-  double hours = 0, km = 0, mb = 0, most_mb = 0, half_way_km = 0, half_way_mb = 0;
+  double hours = 0, km = 0, mb = 0, most_mb = 0;
+  double half_way_km = 0, half_way_mb = 0, alone_km = 0, alone_mb = 0;
   Eigen::Vector3d place_map_m = Eigen::Vector3d::Zero();
 
   void go_on(const Frame& frame) {
@@ -78,12 +79,17 @@ struct Way {
     half_way_km = km;
     half_way_mb = mb_in_use();
   }
-  /// Without what the allocator keeps of a second map that is gone: growth is told by this.
+  /// Before a second map comes along, which leaves holes where it lay: growth is told until the last one.
+  void weigh_alone() {
+    alone_km = km;
+    alone_mb = mb_in_use();
+  }
+  /// Without what the allocator keeps.
   static double mb_in_use() {
     malloc_trim(0);
     return resident_mb();
   }
-  double mb_per_km() const { return (mb_in_use() - half_way_mb) / std::max(1e-6, km - half_way_km); }
+  double mb_per_km() const { return (alone_mb - half_way_mb) / std::max(1e-6, alone_km - half_way_km); }
 };
 
 /// The scans since the clock was set anew.
@@ -126,6 +132,7 @@ void soak(Sequence& lap, const Parameters& parameters, const SoakJob& job) {
       old.drive(frame);
       way.go_on(frame);
     }
+    way.weigh_alone();
     Driver young(parameters, nullptr);
     ComparedLap compared;
     while (way.scans < end) {

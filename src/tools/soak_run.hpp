@@ -10,10 +10,10 @@ namespace stillmap {
 /// How long to drive, and what may be seen at the end; 0 = not asked.
 struct SoakJob {
   std::size_t scans = 1000;
-  std::size_t rows = 20;              ///< of the table, at most: one has three laps at least
-  double most_mb = 0;                 ///< resident memory of the process at any time
-  double most_mb_per_km = 0;          ///< growth of it over the second half of the way
-  double most_cost_ratio = 0;         ///< CPU time of the last lap against a map that began one lap before
+  std::size_t rows = 20;       ///< of the table, at most: one has three laps at least
+  double most_mb = 0;          ///< resident memory of the process at any time
+  double most_mb_per_km = 0;   ///< growth of it over the second half of the way, to the last second map
+  double most_cost_ratio = 0;  ///< CPU time of the last lap against a map that began one lap before
   double most_different_percent = 0;  ///< labels of a row's last lap against those by such a map
 };
 
