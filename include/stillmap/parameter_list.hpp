@@ -105,6 +105,9 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
          "moving pieces smaller than this on an object that stands are deferred; 0 = off");
   flag("lean_together", p.lean_together,
        "an object of which at least half leans towards moving moves, though hardly a point of it is decided");
+  flag("spare_porous", p.spare_porous,
+       "of leaves and the like, hit and seen through in turn, the undecided move only with half of those "
+       "around");
   flag("remember_arrivals", p.remember_arrivals,
        "the new voxels of a thing that moves as a whole count as seen through: it may stop right there");
   flag("take_feet_along", p.take_feet_along,

@@ -74,6 +74,7 @@ struct Parameters {
   bool vanish_test = true;
   double speck_size_m = 0.3;
   bool lean_together = true;
+  bool spare_porous = true;
   bool remember_arrivals = true;
   bool take_feet_along = true;
   bool take_insides_along = true;

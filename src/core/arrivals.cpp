@@ -34,7 +34,7 @@ void Mapper::State::remember_arrivals() {
     if (!arrives(row)) continue;
     SureRows& sure = sure_rows[clusters.of_row()[row]];
     ++sure.arriving;
-    sure.porous += map.block(block_of(row)).at(located.place[row]).came_back != 0;
+    sure.porous += on_porous[row];
     if (labels.reason[row] != Reason::kSeenThrough) continue;
     sure.log_odds_sum += map.block(block_of(row)).at(located.place[row]).log_odds();
     ++sure.rows;

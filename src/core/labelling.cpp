@@ -10,6 +10,7 @@ void Mapper::State::decide(const ScanView& view) {
   labels.reason.resize(n);
   if (!parameters.resolve_objects) labels.object.assign(n, kNoObject);
   on_old_surface.resize(n);
+  on_porous.resize(n);
   for_rows(n, [this](std::size_t first, std::size_t last) {
     for (std::size_t row = first; row < last; ++row) {
       const bool too_far = projected.range_m[row] < 0;
@@ -28,7 +29,7 @@ void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
   float p = 0;
   auto label = Label::kUncertain;
   auto reason = Reason::kNeverJudged;
-  bool is_old = false;
+  bool is_old = false, is_porous = false;
   for (std::uint32_t i = hit.first_row; i < hit.first_row + hit.row_count; ++i) {
     const std::uint32_t row = rows_by_block[i];
     if (ranks_by_block[i] != rank) {
@@ -37,10 +38,12 @@ void Mapper::State::decide_rows(const HitBlock& hit, const ScanView& view) {
       p = p_static[voxel.log_odds_fixed];
       label = decision(p);
       is_old = voxel.age >= old;
+      is_porous = voxel.came_back != 0;
       reason = label == Label::kStatic ? Reason::kSupported
                                        : reason_of(*hit.block, voxel, located.place[row], label, view);
     }
     on_old_surface[row] = is_old;
+    on_porous[row] = is_porous;
     labels.p_static[row] = p;
     labels.label[row] = label;
     labels.reason[row] = reason;

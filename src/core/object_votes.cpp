@@ -14,6 +14,11 @@ bool Votes::known_before() const {
   return static_cast<float>(established) > kHardlyAny * static_cast<float>(rows);
 }
 
+bool Votes::is_porous() const {
+  constexpr float kSome = 0.05F;
+  return porous > 0 && static_cast<float>(porous) >= kSome * static_cast<float>(rows);
+}
+
 Reason Votes::verdict(float static_share) const {
   constexpr float kDynamicShare = 0.1F, kDynamicMajority = 0.6F, kStaticMajority = 0.9F;
   constexpr float kHalf = 0.5F;

@@ -11,6 +11,7 @@ struct RowClues {
   bool established = false;  ///< static, on surface known for a while
   bool followed = false;     ///< right beside what moved in the last scans
   bool leaning = false;      ///< more likely dynamic than not
+  bool porous = false;       ///< hit again after it was seen through, as leaves are
 };
 
 /// Share of static rows that makes the undecided rest of a patch, of an object, static.
@@ -23,6 +24,7 @@ struct Votes {
   int tested = 0;    ///< for what stood right before it: those undecided, or only just static
   int vanished = 0;  ///< of them: that, seen from here, is gone
   int leaning = 0;   ///< rows that are dynamic or more likely so than not
+  int porous = 0;
 
   void add(Label label, const RowClues& clues) {
     ++rows;
@@ -31,6 +33,7 @@ struct Votes {
     established += clues.established;
     followed += clues.followed;
     leaning += clues.leaning;
+    porous += clues.porous;
   }
   void add_test(bool row_vanished) {
     ++tested;
@@ -47,6 +50,7 @@ struct Votes {
     established += more.established;
     followed += more.followed;
     leaning += more.leaning;
+    porous += more.porous;
     add_tests(more);
     return *this;
   }
@@ -54,6 +58,8 @@ struct Votes {
   int open() const { return rows - dynamic - established; }
   /// Too much of it is known surface for something that moves.
   bool known_before() const;
+  /// Leaves and the like, of which now and then one is seen through.
+  bool is_porous() const;
   /// Enough of it lies right behind what vanished.
   bool replaces_vanished() const;
   /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.

@@ -91,7 +91,7 @@ Parameters preset(const std::string& name) {
   p.conflict_reach_voxels = 0;
   p.full_support_on_return = false;
   p.resolve_objects = false;
-  p.lean_together = p.remember_arrivals = p.take_feet_along = p.take_insides_along = false;
+  p.lean_together = p.spare_porous = p.remember_arrivals = p.take_feet_along = p.take_insides_along = false;
   p.doubt_beside_movers = p.settle_objects_together = false;
   p.hits_to_overrule = 0;
   p.gate_voxel_support = 3;  // section 2.1

@@ -69,7 +69,8 @@ void Mapper::State::find_runs(std::size_t first, std::size_t last, std::vector<P
       const std::uint32_t row = standing_rows[i];
       if (clusters.of_row()[row] != object || patch[i - begin] != key) break;
       votes.add(labels.label[row], {is_established(row), followed[row] != 0,
-                                    parameters.lean_together && labels.p_static[row] < kLeaning});
+                                    parameters.lean_together && labels.p_static[row] < kLeaning,
+                                    parameters.spare_porous && on_porous[row] != 0});
     }
     if (object != Clusters::kNone)
       found.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(i), object, 0,

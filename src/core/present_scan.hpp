@@ -61,7 +61,8 @@ struct PresentScan {
   std::vector<std::uint32_t> rows_by_block;   ///< rows of the scan
   std::vector<std::uint16_t> ranks_by_block;  ///< of their voxels among the block's stored ones
   std::vector<NewVoxel> made_by_block, new_voxels;
-  std::vector<std::uint8_t> on_old_surface;  ///< by row: its voxel has been there for a while
+  std::vector<std::uint8_t> on_old_surface;  ///< by judged row: its voxel has been there for a while
+  std::vector<std::uint8_t> on_porous;  ///< by judged row: its voxel was hit again after it was seen through
   std::vector<const BlockTile*> near_tiles;  ///< with all that the scan may say something about, and more
   ScanLabels labels;
   UprightRows upright;

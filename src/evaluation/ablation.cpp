@@ -21,6 +21,7 @@ const std::vector<AblationSwitch>& switches() {
       {"objects: no vanish test", {{"vanish_test", "false"}}},
       {"objects: specks stay", {{"speck_size_m", "0"}}},
       {"objects: only decided points vote", {{"lean_together", "false"}}},
+      {"objects: leaves go with a few of them", {{"spare_porous", "false"}}},
       {"objects: arrivals are forgotten", {{"remember_arrivals", "false"}}},
       {"objects: feet stay", {{"take_feet_along", "false"}}},
       {"objects: insides stay", {{"take_insides_along", "false"}}},

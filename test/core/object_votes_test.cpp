@@ -54,6 +54,19 @@ TEST(Votes, AFewRowsOfWhatStandsDoNotMoveTheirPatch) {
       << "the patch says nothing";
 }
 
+TEST(Votes, AFewLeavesDoNotMoveTheOthers) {
+  const Votes moving{1000, 400, 100, 0, 0, 0, 0};
+  Votes leaves{100, 49, 0, 0, 0, 0, 0};
+  EXPECT_EQ(joint_verdict(leaves, moving), Reason::kObjectMoves) << "nothing was hit again";
+  leaves.porous = 4;
+  EXPECT_EQ(joint_verdict(leaves, moving), Reason::kObjectMoves) << "hardly anything was";
+  leaves.porous = 5;
+  EXPECT_EQ(joint_verdict(leaves, moving), Reason::kMixedEvidence);
+  leaves.dynamic = 50;
+  EXPECT_EQ(joint_verdict(leaves, moving), Reason::kObjectMoves) << "someone walks through the bush";
+  EXPECT_EQ(joint_verdict(Votes{100, 0, 60, 0, 0, 0, 0, 0, 100}, moving), Reason::kObjectStands);
+}
+
 TEST(Votes, MovesAsAWhole) {
   EXPECT_TRUE((Votes{100, 30, 30, 5, 0, 0, 0}.moves_as_a_whole()));
   EXPECT_FALSE((Votes{100, 29, 30, 0, 0, 0, 0}.moves_as_a_whole())) << "no majority";
