@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "for_rows.hpp"
 #include "vector_clones.hpp"
@@ -41,18 +42,31 @@ STILLMAP_VECTOR_CLONES void project_rows(std::size_t first, std::size_t last, fl
   }
 }
 
-void note_extent(ProjectedScan& projected) {
-  float lowest = 2.0F, highest = -2.0F;
-  std::size_t judged = 0;
-  for (std::size_t i = 0; i < projected.size(); ++i) {
-    const bool usable = projected.range_m[i] > 0;
-    lowest = usable ? std::min(lowest, projected.elevation_rad[i]) : lowest;
-    highest = usable ? std::max(highest, projected.elevation_rad[i]) : highest;
-    judged += usable;
-  }
-  projected.judged = judged;
-  projected.elevation_min_rad = judged > 0 ? lowest : 0.0F;
-  projected.elevation_max_rad = judged > 0 ? highest : 0.0F;
+/// Each lane of a vector register keeps an extent of its own.
+STILLMAP_VECTOR_CLONES void note_extent(ProjectedScan& projected) {
+  constexpr std::size_t kLanes = 16;
+  const std::size_t n = projected.size();
+  const float* const range_m = projected.range_m.data();
+  const float* const elevation_rad = projected.elevation_rad.data();
+  float lowest[kLanes], highest[kLanes];
+  int judged[kLanes] = {};
+  std::fill_n(lowest, kLanes, 2.0F);
+  std::fill_n(highest, kLanes, -2.0F);
+  const auto note = [&](std::size_t row, std::size_t lane) {
+    const bool usable = range_m[row] > 0;
+    const float elevation = elevation_rad[row];
+    lowest[lane] = std::min(lowest[lane], usable ? elevation : 2.0F);
+    highest[lane] = std::max(highest[lane], usable ? elevation : -2.0F);
+    judged[lane] += usable ? 1 : 0;
+  };
+  std::size_t row = 0;
+  for (; row + kLanes <= n; row += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) note(row + lane, lane);
+  for (; row < n; ++row) note(row, 0);
+  projected.judged = static_cast<std::size_t>(std::accumulate(judged, judged + kLanes, 0));
+  const bool any = projected.judged > 0;
+  projected.elevation_min_rad = any ? *std::min_element(lowest, lowest + kLanes) : 0.0F;
+  projected.elevation_max_rad = any ? *std::max_element(highest, highest + kLanes) : 0.0F;
 }
 
 }  // namespace

@@ -15,10 +15,12 @@ std::vector<Eigen::Vector3d> some_returns(const ProjectedScan& scan) {
   constexpr float kFarthestM = 40.0F;  // beyond, beams are too far apart to show a surface
   std::vector<Eigen::Vector3d> points_m;
   const std::size_t stride = std::max<std::size_t>(1, scan.judged / kSamples);
-  std::size_t usable = 0;
-  for (std::size_t row = 0; row < scan.size(); ++row)
-    if (scan.range_m[row] > 0 && usable++ % stride == 0 && scan.range_m[row] < kFarthestM)
-      points_m.emplace_back(scan.x_m[row], scan.y_m[row], scan.z_m[row]);
+  std::size_t until_next = 1;
+  for (std::size_t row = 0; row < scan.size(); ++row) {
+    if (!(scan.range_m[row] > 0) || --until_next > 0) continue;
+    until_next = stride;
+    if (scan.range_m[row] < kFarthestM) points_m.emplace_back(scan.x_m[row], scan.y_m[row], scan.z_m[row]);
+  }
   return points_m;
 }
 
