@@ -28,7 +28,7 @@ TEST_P(EveryScene, KeepsWhatStandsWithEverySensor) {
     options.sensor = sensor;
     options.scans = kScans;
     const Simulator simulator(options);
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     std::vector<JudgedScan> scans;
     for (std::size_t k = 0; k < kScans; ++k) {
       JudgedScan scan{simulator.frame(k), {}};

@@ -24,7 +24,7 @@ World box_before_a_wall() {
 
 struct ExplanationTest : testing::Test {
   static Mapper after(int scans) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     RunOptions options;
     options.scans = scans;
     run(&mapper, box_before_a_wall(), standing_at(0, 0, 1.5), options);
@@ -78,7 +78,7 @@ TEST_F(ExplanationTest, WhatIsHiddenIsOcclusion) {
 }
 
 TEST_F(ExplanationTest, AnEmptyMapSaysSo) {
-  const Explanation told = Mapper{Parameters{}}.explain(face);
+  const Explanation told = Mapper{on_two_threads()}.explain(face);
   EXPECT_FALSE(told.in_map);
   EXPECT_EQ(last_evidence(told), nullptr);
   EXPECT_NE(in_words(told).find("None of the kept scans"), std::string::npos);

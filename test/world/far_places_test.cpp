@@ -11,7 +11,7 @@ namespace {
 constexpr double kPost_m = 6;  ///< on the way, 3 m aside
 
 Parameters short_sighted() {
-  Parameters parameters;
+  Parameters parameters = on_two_threads();
   parameters.max_range_m = 20;
   return parameters;
 }

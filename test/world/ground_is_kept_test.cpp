@@ -32,7 +32,7 @@ TEST(GroundIsKept, WithEverySensor) {
   // Measured: dynamic at once 0.02 (livox) to 0.20 % (mid360), kept 99.64 (mid360) to 99.94 % (livox).
   const Kind ground = of_class(surfaces::kRoad.semantic_class);
   for (const std::string sensor : {"vlp16", "os1_64", "livox", "mid360"}) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     const auto scans = run(&mapper, world, driving(2, 1.2), {sensor, 50});
     const double eaten = percent(scans, 0, scans.size(), ground, Label::kDynamic);
     EXPECT_LE(measured(sensor + ": ground dynamic at once, %", eaten), 0.5);
@@ -51,13 +51,13 @@ TEST(GroundIsKept, AtGrazingAngles) {
     double dynamic_max, kept_min;
   };
   for (const auto& [sensor, dynamic_max, kept_min] : {Case{"vlp16", 1.5, 98.2}, Case{"os1_64", 2.5, 97}}) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     const auto scans = run(&mapper, world, driving(8, 0.5), {sensor, 40});
     const double dynamic = percent(scans, 0, scans.size(), is_standing, Label::kDynamic);  // 1.01 and 1.92
     EXPECT_LE(measured(sensor + ": dynamic at once, %", dynamic), dynamic_max);
     const double kept = percent_kept(mapper, scans, is_standing);  // 98.75 and 97.78
     EXPECT_GE(measured(sensor + ": kept, %", kept), kept_min);
-    Mapper exact{Parameters{}};
+    Mapper exact{on_two_threads()};
     RunOptions options{sensor, 40};
     options.pose_noise_m = options.pose_noise_deg = options.drift_percent = 0;
     const auto exactly_posed = run(&exact, world, driving(8, 0.5), options);

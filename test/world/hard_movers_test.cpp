@@ -126,7 +126,7 @@ TEST(HardMovers, SomeoneWhoComesCloserAndStops) {
   Random random(36);
   add_person(&world, Path({{12, 0.3}, {1, 0.3}}), SpeedProfile::stopping(5, 1.2), &random);
   const auto flagged_after_he_stopped = [&](bool remember_arrivals) {
-    Parameters parameters;
+    Parameters parameters = on_two_threads();
     parameters.remember_arrivals = remember_arrivals;
     Mapper mapper(parameters);
     return flagged(run(&mapper, world, standing_at(0, 0, 1.2), {"vlp16", 90}), 55, 85);
@@ -136,10 +136,10 @@ TEST(HardMovers, SomeoneWhoComesCloserAndStops) {
 }
 
 TEST(HardMovers, ACarThatParksSettlesAfterItsTime) {
-  const Settling by_default = settling_of_a_car_that_parks("vlp16", Parameters{});
+  const Settling by_default = settling_of_a_car_that_parks("vlp16", on_two_threads());
   EXPECT_LE(measured("static after 45 s, %", by_default.after_45_s), 10);
   EXPECT_GE(measured("static after 75 s, %", by_default.after_75_s), 90);
-  Parameters patient;
+  Parameters patient = on_two_threads();
   patient.settle_time_s = 150;
   const Settling later = settling_of_a_car_that_parks("vlp16", patient);
   EXPECT_LE(measured("settle_time_s 150: static after 75 s, %", later.after_75_s), 10);
@@ -148,7 +148,7 @@ TEST(HardMovers, ACarThatParksSettlesAfterItsTime) {
 TEST(HardMovers, ADoorThatOpens) {
   World world = corridor(8);
   add_door(&world, {5, -0.5}, M_PI / 2, 1.4, 2, 1.0, 2.1);
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, world, standing_at(0, 0, 1.2), {"os1_64", 60});
   const double closed = percent(scans, 0, 19, is_standing, Label::kDynamic);
   EXPECT_LE(measured("closed: dynamic, %", closed), 0.1);                  // 0
@@ -164,7 +164,7 @@ TEST(HardMovers, FeetAndTheGroundTheyWalkOn) {
     const double x = 4 + 2 * person;
     add_person(&world, Path({{x, 6}, {x, -8}}), SpeedProfile::constant(1.2), &random);
   }
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, world, standing_at(0, 0, 1.2), {"os1_64", 50});
   EXPECT_GE(measured("people flagged at once, %", flagged(scans, 10, 50)), 93);                 // 97.0
   EXPECT_LE(measured("people left in the end, %", percent_kept(mapper, scans, is_moving)), 4);  // 2.2

@@ -13,7 +13,7 @@ namespace stillmap::simulation {
 namespace {
 
 Parameters with_submaps() {
-  Parameters parameters;
+  Parameters parameters = on_two_threads();
   parameters.submap_length_m = 5;
   return parameters;
 }
@@ -45,7 +45,7 @@ struct LoopClosureTest : testing::Test {
     return drive;
   }
   static const Mapper& truth() {
-    static const Mapper truth = drive().mapped(Parameters(), true);
+    static const Mapper truth = drive().mapped(on_two_threads(), true);
     return truth;
   }
 };
@@ -74,7 +74,7 @@ TEST_F(LoopClosureTest, ACorrectedPathTakesTheDoubleWallAway) {
 
 /// Scans that see 8 m far: the other side of the yard is closed away when the loop is closed.
 TEST_F(LoopClosureTest, WhatIsFarFollowsToo) {
-  Parameters near = with_submaps(), plain;
+  Parameters near = with_submaps(), plain = on_two_threads();
   near.max_range_m = plain.max_range_m = 8;
   Mapper mapper = drive().mapped(near, false);
   const Mapper right = drive().mapped(plain, true);
@@ -105,7 +105,7 @@ TEST_F(LoopClosureTest, AJumpOfTheNewestPoseIsSpreadOverTheWay) {
 }
 
 TEST_F(LoopClosureTest, KeepingSubmapsChangesNoLabel) {
-  Mapper with(with_submaps()), without{Parameters()};
+  Mapper with(with_submaps()), without{on_two_threads()};
   for (int k = 0; k < 30; ++k) {
     const Frame& frame = drive().frames[static_cast<std::size_t>(k)].frame;
     EXPECT_EQ(with.process(frame.scan, frame.T_map_sensor).label,
@@ -122,7 +122,7 @@ TEST_F(LoopClosureTest, RefusesWhatDoesNotFitAndKeepsTheMap) {
   expect_error<std::invalid_argument>(refused,
                                       {"none of them", "1000.000 to 1014.500 s", "0.000 to 14.900 s"});
   EXPECT_EQ(mapper.voxel_count(), voxels);
-  Mapper without{Parameters()};
+  Mapper without{on_two_threads()};
   expect_error<std::invalid_argument>([&] { without.correct_trajectory(drive().corrected_path()); },
                                       {"submap_length_m"});
 }

@@ -11,7 +11,7 @@ namespace stillmap::simulation {
 namespace {
 
 struct MapRepairTest : testing::Test {
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const Eigen::AlignedBox3d post = box({5.5, -0.5, 0.3}, {6.5, 0.5, 3});
 
   MapRepairTest() {

@@ -21,7 +21,7 @@ TEST(MovingBoxes, LieAroundWhatMoves) {
   Random random(2);
   add_person(&world, Path({{9, 12}, {9, -12}}), SpeedProfile::constant(1.5), &random);
 
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const RayCaster caster(world);
   const SensorModel sensor = sensor_model("os1_64");
   int scans = 0, found = 0;
@@ -54,7 +54,7 @@ TEST(MovingBoxes, AreNoneWhereNothingMovesOrTheScanIsAnother) {
   World world;
   world.add_ground(0, surfaces::kRoad);
   add_wall(&world, {12, -20}, {12, 20}, 0.3, 5, surfaces::kWall);
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, world, standing_at(0, 0, 1.5), {"vlp16", 10});
   const Frame& last = scans.back().truth.frame;
   EXPECT_TRUE(mapper.moving_boxes(last.scan, last.T_map_sensor).empty());

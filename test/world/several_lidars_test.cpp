@@ -69,7 +69,7 @@ Judged drive(Mapper* mapper, bool told_apart) {
 }
 
 TEST(SeveralLidars, MakeOneMapEachWithItsOwnBeams) {
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const Judged judged = drive(&mapper, true);
   for (const int i : {0, 1}) {
     const auto& scans = judged.of[i];
@@ -86,7 +86,7 @@ TEST(SeveralLidars, MakeOneMapEachWithItsOwnBeams) {
 }
 
 TEST(SeveralLidars, ANumberOutOfRangeIsRefused) {
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   Scan scan;
   for (const int sensor : {-1, 16}) {
     scan.sensor = sensor;

@@ -41,7 +41,7 @@ struct Shares {
   double eaten, found;
 };
 Shares shares(bool align_scans, const RunOptions& options) {
-  Parameters parameters;
+  Parameters parameters = on_two_threads();
   parameters.align_scans = align_scans;
   Mapper mapper(parameters);
   const auto scans = run(&mapper, yard(), driving(2, 1.2), options);
@@ -65,7 +65,7 @@ TEST(ShakenOdometry, SteadyOneIsTakenAsItIs) {
 }
 
 TEST(ScanAlignment, FindsHowFarAPoseIsOff) {
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, yard(), driving(2, 1.2), shaken(0, 0, 0));
   VoxelMap map(mapper.parameters().voxel_size_m);
   for (const BlockContents& block : mapper.export_map().blocks) map.restore(block, 0);

@@ -42,7 +42,7 @@ TEST(ThingsThatLeave, ABoxIsClearedWithinAFewScans) {
     double foot_static_max;
   };
   for (const auto& [sensor, foot_static_max] : {Case{"vlp16", 96}, Case{"os1_64", 5}}) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     double static_before = 0;
     int cleared_at = 1000;
     RunOptions options{sensor, 50};
@@ -67,7 +67,7 @@ TEST(ThingsThatLeave, AParkedCarThatDrivesOffLeavesTheMap) {
   add_parked_car(&world, {9, -4}, 0, &random);
   const Eigen::AlignedBox3d place = box({6.6, 3, 0.35}, {11.4, 5, 1.6});
   const Eigen::AlignedBox3d other = box({6.6, -5, 0.35}, {11.4, -3, 1.6});
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, world, driving(1, 1.7), {"os1_64", 45});
   EXPECT_LT(measured("its place still static, %", percent_of_voxels(mapper, place, Label::kStatic)), 1);  // 0
   EXPECT_GT(measured("the car that stays, static, %", percent_of_voxels(mapper, other, Label::kStatic)),
@@ -85,7 +85,7 @@ TEST(ThingsThatLeave, CarsThatLeaveOneAfterAnother) {
     const double x = 4 + 7 * car;
     add_car(&world, Path({{x, 4}, {x, -3}, {-28, -3}}), SpeedProfile::starting(1 + car, 6), &random);
   }
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   const auto scans = run(&mapper, world, standing_at(0, 0, 1.7), {"os1_64", 60});
   for (int car = 0; car < 3; ++car) {
     const Eigen::AlignedBox3d place = box({2.0 + 7 * car, 3.2, 0.35}, {6.0 + 7 * car, 4.8, 1.6});
@@ -100,7 +100,7 @@ TEST(ThingsThatLeave, AnOccludedVoxelIsUntouched) {
   World world = yard();
   add_moving_box(&world, Path({{6, -12}, {6, 0}}), SpeedProfile({{0, 12}, {1, 12}, {1.01, 0}}), {3, 1, 3});
   const RunOptions quiet{"vlp16", 15, ReturnNoise::none(), 0, 0, 0};
-  Mapper early{Parameters{}}, late{Parameters{}};
+  Mapper early{on_two_threads()}, late{on_two_threads()};
   RunOptions longer = quiet;
   longer.scans = 45;
   run(&early, world, standing_at(0, 0, 1.5), quiet);

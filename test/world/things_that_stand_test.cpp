@@ -34,7 +34,7 @@ World quiet_street() {
 void expect(const World& world, const SensorMotion& motion, int scans, const Kind& kind,
             const std::vector<Bounds>& all_bounds) {
   for (const Bounds& bounds : all_bounds) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     const auto judged = run(&mapper, world, motion, {bounds.sensor, scans});
     const double dynamic = percent(judged, 0, judged.size(), kind, Label::kDynamic);
     EXPECT_LE(measured(bounds.sensor + ": dynamic at once, %", dynamic), bounds.dynamic_max);
@@ -100,7 +100,7 @@ TEST(ThingsThatStand, APlaceRevisitedWithDriftStays) {
     return pose_at(time_s < 3 ? 5 * time_s : 15 - 5 * (time_s - 3), 0, 1.7);
   };
   for (const std::string sensor : {"vlp16", "os1_64"}) {
-    Mapper mapper{Parameters{}};
+    Mapper mapper{on_two_threads()};
     RunOptions options{sensor, 60};
     options.drift_percent = 1;
     const auto scans = run(&mapper, world, there_and_back, options);

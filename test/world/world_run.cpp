@@ -43,7 +43,7 @@ std::vector<JudgedScan> run(Mapper* mapper, const World& world, const SensorMoti
 }
 
 std::vector<JudgedScan> run(const World& world, const SensorMotion& motion, const RunOptions& options) {
-  Mapper mapper{Parameters{}};
+  Mapper mapper{on_two_threads()};
   return run(&mapper, world, motion, options);
 }
 
