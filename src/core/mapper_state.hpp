@@ -20,6 +20,7 @@
 #include "stillmap/mapper.hpp"
 #include "stillmap/sensor_geometry.hpp"
 #include "stillmap/voxel_map.hpp"
+#include "structure_gates.hpp"
 #include "submaps.hpp"
 #include "support_table.hpp"
 
@@ -199,6 +200,9 @@ struct Mapper::State : PresentScan {
 
   // relabelling.cpp
   bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
+  /// `gates` may be nullptr.
+  void settle_by_map(ScanLabels& settled, std::size_t row, const Eigen::Vector3d& point_map_m,
+                     const Voxel& voxel, const StructureGates* gates) const;
   void settle_objects(ScanLabels& settled) const;
 
   // objects.cpp, patches.cpp, vanished.cpp, specks.cpp, arrivals.cpp

@@ -1,7 +1,8 @@
-#include <optional>
+#include <memory>
 
+#include "for_rows.hpp"
 #include "mapper_state.hpp"
-#include "structure_gates.hpp"
+#include "neighbouring_voxels.hpp"
 
 namespace stillmap {
 
@@ -15,39 +16,47 @@ bool Mapper::State::overrules(const Voxel& voxel, Label label_of_map, Label labe
 
 ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                            const ScanLabels& online) const {
-  constexpr double kOffSurfaceM = 0.02;
   State& s = up_to_date();  // the map stays what it is; the tiles around the scan are opened
   s.rolling.move_to(T_map_sensor.translation());
   s.rolling.leave(T_map_sensor.translation(), s.scan_count);
   const Eigen::Isometry3d T_aligned = s.realigned(scan, T_map_sensor);
   const GateSettings gate_values = gate_settings(s.parameters);
-  const auto gates =
-      gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;
+  const auto gates = gate_values.any() ? std::make_unique<StructureGates>(s.map, gate_values)
+                                       : std::unique_ptr<StructureGates>();
   ScanLabels settled = online;
-  for (std::size_t row = 0; row < scan.points.size(); ++row) {
-    if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
-    const Eigen::Vector3d point_map_m = T_aligned * scan.points[row].cast<double>();
-    const VoxelKey key = s.map.key_of(point_map_m);
-    const Voxel* voxel = s.map.find(key);
-    if (voxel == nullptr) continue;
-    const float p_static = s.p_static[voxel->log_odds_fixed];
-    const Label label = s.decision(p_static);
-    if (gates && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
-      settled.label[row] = Label::kUncertain;
-      settled.reason[row] = Reason::kMixedEvidence;
-      continue;
-    }
-    if (!s.overrules(*voxel, label, online.label[row])) continue;
-    // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
-    const bool above = point_map_m.z() - s.map.surface_z_m(key, *voxel) > kOffSurfaceM;
-    if (s.parameters.take_feet_along && online.label[row] == Label::kDynamic && above) continue;
-    settled.label[row] = label;
-    settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
-    settled.p_static[row] =
-        s.parameters.calibrate_p_static ? s.calibration(settled.reason[row], p_static) : p_static;
-  }
+  s.arena.run([&] {
+    for_rows(scan.points.size(), [&](std::size_t first, std::size_t last) {
+      NeighbouringVoxels voxels(s.map);
+      for (std::size_t row = first; row < last; ++row) {
+        if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
+        const Eigen::Vector3d point_map_m = T_aligned * scan.points[row].cast<double>();
+        const Voxel* const voxel = voxels.find(s.map.key_of(point_map_m));
+        if (voxel != nullptr) s.settle_by_map(settled, row, point_map_m, *voxel, gates.get());
+      }
+    });
+  });
   if (s.parameters.settle_objects_together) s.settle_objects(settled);
   return settled;
+}
+
+void Mapper::State::settle_by_map(ScanLabels& settled, std::size_t row, const Eigen::Vector3d& point_map_m,
+                                  const Voxel& voxel, const StructureGates* gates) const {
+  constexpr double kOffSurfaceM = 0.02;
+  const VoxelKey key = map.key_of(point_map_m);
+  const float p = p_static[voxel.log_odds_fixed];
+  const Label label = decision(p), online = settled.label[row];
+  if (gates != nullptr && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
+    settled.label[row] = Label::kUncertain;
+    settled.reason[row] = Reason::kMixedEvidence;
+    return;
+  }
+  if (!overrules(voxel, label, online)) return;
+  // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
+  const bool above = point_map_m.z() - map.surface_z_m(key, voxel) > kOffSurfaceM;
+  if (parameters.take_feet_along && online == Label::kDynamic && above) return;
+  settled.label[row] = label;
+  settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
+  settled.p_static[row] = parameters.calibrate_p_static ? calibration(settled.reason[row], p) : p;
 }
 
 // Feet that share their voxels with the ground, a side that slid along itself, what was never seen through.

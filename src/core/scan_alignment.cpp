@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "mapper_state.hpp"
+#include "neighbouring_voxels.hpp"
 
 namespace stillmap {
 namespace {
@@ -97,12 +98,7 @@ std::optional<ScanAlignment::Plane> ScanAlignment::plane_near(const Eigen::Vecto
   constexpr int kEnough = 6;
   constexpr double kThick_m = 0.03, kWide_m = 0.05;
   const VoxelKey centre = map_.key_of(point_map_m);
-  const auto block_of = [this](const BlockKey& key) -> const VoxelBlock* {
-    const std::int64_t index = map_.find_block(key);
-    return index < 0 ? nullptr : &map_.block(static_cast<std::uint32_t>(index));
-  };
-  BlockKey of_block = block_key(centre);
-  const VoxelBlock* block = block_of(of_block);
+  NeighbouringVoxels neighbours(map_);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   int voxels = 0;
@@ -110,15 +106,9 @@ std::optional<ScanAlignment::Plane> ScanAlignment::plane_near(const Eigen::Vecto
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x) {
         const VoxelKey key = centre + VoxelKey(x, y, z);
-        if (const BlockKey its_block = block_key(key); its_block != of_block) {
-          of_block = its_block;
-          block = block_of(of_block);
-        }
-        const int place = place_in_block(key);
-        if (block == nullptr || !block->contains(place)) continue;
-        const Voxel& voxel = block->at(place);
-        if (voxel.log_odds_fixed <= 0) continue;
-        const Eigen::Vector3d in_edges = key.cast<double>() + voxel.surface_offset().cast<double>();
+        const Voxel* const voxel = neighbours.find(key);
+        if (voxel == nullptr || voxel->log_odds_fixed <= 0) continue;
+        const Eigen::Vector3d in_edges = key.cast<double>() + voxel->surface_offset().cast<double>();
         const Eigen::Vector3d from_point_m = in_edges * map_.voxel_size_m() - point_map_m;
         sum += from_point_m;
         products += from_point_m * from_point_m.transpose();

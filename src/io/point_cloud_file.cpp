@@ -16,6 +16,7 @@ namespace {
 
 pcl::PointCloud<pcl::PointXYZI> static_points(const MapSnapshot& map) {
   pcl::PointCloud<pcl::PointXYZI> cloud;
+  cloud.reserve(map.voxels.size());
   for (const SnapshotVoxel& voxel : map.voxels) {
     if (voxel.label != Label::kStatic) continue;
     const float p_static = 1.0F / (1.0F + std::exp(-voxel.log_odds));
