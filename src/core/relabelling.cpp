@@ -19,12 +19,12 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   State& s = up_to_date();  // the map stays what it is; the tiles around the scan are opened
   s.rolling.move_to(T_map_sensor.translation());
   s.rolling.leave(T_map_sensor.translation(), s.scan_count);
-  const Eigen::Isometry3d T_aligned = s.realigned(scan, T_map_sensor);
   const GateSettings gate_values = gate_settings(s.parameters);
   const auto gates = gate_values.any() ? std::make_unique<StructureGates>(s.map, gate_values)
                                        : std::unique_ptr<StructureGates>();
   ScanLabels settled = online;
   s.arena.run([&] {
+    const Eigen::Isometry3d T_aligned = s.realigned(scan, T_map_sensor);
     for_rows(scan.points.size(), [&](std::size_t first, std::size_t last) {
       NeighbouringVoxels voxels(s.map);
       for (std::size_t row = first; row < last; ++row) {

@@ -75,11 +75,15 @@ std::optional<SmallMotion> ScanAlignment::step(const std::vector<Eigen::Vector3d
   already << so_far.turn_rad, so_far.shift_m;
   Matrix6 normal_matrix = prior.asDiagonal();
   Vector6 right = -prior.cwiseProduct(already);
+  std::vector<std::optional<Plane>> plane_of(points_m.size());
+  for_pieces(points_m.size(), 25, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) plane_of[i] = plane_near(T_map_sensor * points_m[i]);
+  });
   int planes = 0;
-  for (const Eigen::Vector3d& point_m : points_m) {
-    const Eigen::Vector3d arm_m = T_map_sensor.linear() * point_m;
-    const std::optional<Plane> plane = plane_near(arm_m + T_map_sensor.translation());
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const std::optional<Plane>& plane = plane_of[i];
     if (!plane) continue;
+    const Eigen::Vector3d arm_m = T_map_sensor.linear() * points_m[i];
     const double off_m = plane->distance_m;
     const double weight = 1 / (kSurface_m * kSurface_m + off_m * off_m);  // what is new says little
     Vector6 direction;
