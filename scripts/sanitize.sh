@@ -32,26 +32,15 @@ if [ "${1:-}" = quick ]; then
 fi
 
 bash scripts/setup.sh
-launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-# Without NDEBUG: Eigen checks indices, too.
-cmake -S . -B "$build" "${launcher[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
-  -DCMAKE_CXX_FLAGS="$flags -fno-omit-frame-pointer" >/dev/null
-cmake --build "$build" -j "$(nproc)" ${TARGETS:+--target $TARGETS}
-
-# ROS's own programs, which load the nodelet, are not built so: the runtime must be there before them.
+# Before the build, which makes a bag with the program.
 export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:new_delete_type_mismatch=1
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=suppressions=$PWD/cmake/thread_sanitizer.supp:halt_on_error=1:second_deadlock_stack=1
-case $build in
-  build-address) STILLMAP_PRELOAD=$(gcc -print-file-name=libasan.so) ;;
-  build-thread) STILLMAP_PRELOAD=$(gcc -print-file-name=libtsan.so) ;;
-esac
-export STILLMAP_PRELOAD
 # Address randomisation with many bits leaves no room for TSan's shadow on newer kernels; some containers keep it on.
 fixed_addresses=(setarch "$(uname -m)" -R)
 "${fixed_addresses[@]}" true 2>/dev/null || fixed_addresses=()
-if [ $build = build-thread ]; then
+mkdir -p "$build"
+if [ "$build" = build-thread ]; then
   probe=$(echo 'int main() {}' | g++ -fsanitize=thread -x c++ - -o "$build/probe" && "${fixed_addresses[@]}" "$build/probe" 2>&1) ||
     case $probe in
       *"unexpected memory mapping"*)
@@ -59,4 +48,18 @@ if [ $build = build-thread ]; then
         exit 0 ;;
     esac
 fi
-exec "${fixed_addresses[@]}" ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 1500 "$@"
+
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+# Without NDEBUG: Eigen checks indices, too.
+cmake -S . -B "$build" "${launcher[@]}" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
+  -DCMAKE_CXX_FLAGS="$flags -fno-omit-frame-pointer" >/dev/null
+"${fixed_addresses[@]}" cmake --build "$build" -j "$(nproc)" ${TARGETS:+--target $TARGETS}
+
+# ROS's own programs, which load the nodelet, are not built so: the runtime must be there before them.
+case $build in
+  build-address) STILLMAP_PRELOAD=$(gcc -print-file-name=libasan.so) ;;
+  build-thread) STILLMAP_PRELOAD=$(gcc -print-file-name=libtsan.so) ;;
+esac
+export STILLMAP_PRELOAD
+exec "${fixed_addresses[@]}" ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 3600 "$@"

@@ -7,9 +7,13 @@
 namespace stillmap {
 
 // Where the map stays undecided, what was said at the scan's own time stands; so does a mover that nobody has
-// looked through since: its own returns, in a few scans, make no surface.
+// looked through since: its own returns, in a few scans, make no surface. A leaf that was seen through and
+// hit again moved only where hardly a doubt is left.
 bool Mapper::State::overrules(const Voxel& voxel, Label label_of_map, Label label_online) const {
+  constexpr float kHardlyADoubt = -2.0F;  // log-odds
   if (label_of_map == Label::kUncertain || label_of_map == label_online) return false;
+  const bool is_leaf = parameters.spare_porous && voxel.came_back != 0;
+  if (label_of_map == Label::kDynamic && is_leaf && voxel.log_odds() > kHardlyADoubt) return false;
   return label_of_map == Label::kDynamic || label_online == Label::kUncertain ||
          voxel.hits >= parameters.hits_to_overrule;
 }
