@@ -7,13 +7,14 @@ namespace stillmap {
 /// What an object and its patch say of the rows that are not decided, the patch first. Where the object
 /// mostly stands, a patch moves only by at least half of all its rows: beams that slip by what is thin or
 /// porous make a few rows of it dynamic, and those do not speak for the others. Neither do they in a patch
-/// that is itself porous, unless the object goes where something moved in the last scans.
+/// that is itself porous, unless a fifth of the object goes where something moved in the last
+/// scans.
 inline Reason joint_verdict(const Votes& patch, const Votes& object) {
   const bool by_few = patch.dynamic * 2 < patch.rows;
   const bool object_stands = object.dynamic < object.is_static;
   const Reason of_patch = patch.verdict(kPatchStatic);
   const bool counts = of_patch != Reason::kObjectMoves || !by_few || !object_stands;
-  const bool goes_on = object.followed * 2 >= object.rows;
+  const bool goes_on = object.followed * 5 >= object.rows;
   const Reason together =
       counts && of_patch != Reason::kMixedEvidence ? of_patch : object.verdict(kObjectStatic);
   return together == Reason::kObjectMoves && by_few && patch.is_porous() && !goes_on ? Reason::kMixedEvidence

@@ -62,7 +62,7 @@ TEST(Votes, AFewLeavesDoNotMoveTheOthers) {
   EXPECT_EQ(joint_verdict(leaves, moving), Reason::kObjectMoves) << "hardly anything was";
   leaves.porous = 5;
   EXPECT_EQ(joint_verdict(leaves, moving), Reason::kMixedEvidence);
-  const Votes walker{1000, 400, 100, 0, 500, 0, 0};
+  const Votes walker{1000, 400, 100, 0, 200, 0, 0};
   EXPECT_EQ(joint_verdict(leaves, walker), Reason::kObjectMoves) << "someone was seen to move there";
   leaves.dynamic = 50;
   EXPECT_EQ(joint_verdict(leaves, moving), Reason::kObjectMoves) << "someone walks through the bush";
