@@ -20,6 +20,7 @@ constexpr int kScans = 25;
 struct Kept {
   std::size_t moving = 0, standing = 0;
   void add(const sensor_msgs::PointCloud2& cloud) {
+    if (cloud.data.empty()) return;  // the iterators look at the first byte
     sensor_msgs::PointCloud2ConstIterator<std::uint32_t> label(cloud, "label");
     sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
     for (; label != label.end(); ++label, ++x) {
