@@ -10,6 +10,11 @@
 
 namespace stillmap {
 
+/// The pose of `frame` in `fixed_frame`; kNever where tf2 knows later ones only. Another thread may hand
+/// transforms to the buffer meanwhile.
+PoseAnswer pose_in(const tf2::BufferCore& buffer, const std::string& fixed_frame, const std::string& frame,
+                   std::int64_t stamp_ns);
+
 /// The body's poses from tf2; never waits itself.
 class TfPoses : public PoseSource {
  public:
