@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds with sanitizers in build-address/ or build-thread/ and runs the tests there.
-# Usage: scripts/sanitize.sh address|thread            all tests
+# Usage: scripts/sanitize.sh address|thread            all tests but those that measure time or memory
 #        scripts/sanitize.sh address|thread quick      those that test.sh runs: a few of each part, in minutes
 #        scripts/sanitize.sh address|thread -R REGEX   or other options of ctest
 #   address   ASan and UBSan; every find ends the test. fuzz.sh runs the readers' inputs so; their replays bound the
@@ -29,11 +29,14 @@ if [ "${1:-}" = quick ]; then
   TARGETS="${quick[*]} ${rostest:+${rostest}_test stillmap_node stillmap_nodelet}"
   chosen=("${quick[@]}" ${rostest:+".*_$rostest.test"})
   set -- -R "^($(IFS='|'; echo "${chosen[*]}"))\$" "$@"
+elif [ $# -eq 0 ]; then
+  # Of time and memory a sanitizer's own is most; what install_test builds is built without.
+  set -- -E '^(fuzz_.*|install_test)$|_(overhead|overload).test$'
 fi
 
 bash scripts/setup.sh
 # Before the build, which makes a bag with the program.
-export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:new_delete_type_mismatch=1
+export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:new_delete_type_mismatch=1:quarantine_size_mb=8  # reload_test weighs
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=suppressions=$PWD/cmake/thread_sanitizer.supp:halt_on_error=1:second_deadlock_stack=1
 # Address randomisation with many bits leaves no room for TSan's shadow on newer kernels; some containers keep it on.
