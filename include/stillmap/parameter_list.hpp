@@ -107,8 +107,7 @@ void visit_parameters(ParametersT& p, Visitor&& visit) {
        "an object of which at least half leans towards moving moves, though hardly a point of it is decided");
   flag("spare_porous", p.spare_porous,
        "of leaves and the like, hit and seen through in turn, the undecided move only with half of those "
-       "around, "
-       "and in the end only what is hardly in doubt");
+       "around, and in the end only what is hardly in doubt");
   flag("remember_arrivals", p.remember_arrivals,
        "the new voxels of a thing that moves as a whole count as seen through: it may stop right there");
   flag("take_feet_along", p.take_feet_along,

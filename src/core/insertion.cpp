@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "mapper_state.hpp"
 #include "vector_clones.hpp"
@@ -20,7 +19,6 @@ void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
 }
 
 void Mapper::State::find_hit_blocks() {
-  find_block_runs();
   // Rings come to the same blocks again and again: the last ones are remembered, each key in a place of its
   // own.
   struct Recent {
@@ -30,30 +28,18 @@ void Mapper::State::find_hit_blocks() {
   constexpr std::size_t kRecent = 8192;
   std::array<Recent, kRecent> recent;
   hit_blocks.clear();
-  for (std::vector<BlockRun>& piece : block_runs)
-    for (BlockRun& run : piece) {
-      const std::uint64_t key = located.block[run.first];
-      Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
-      if (entry.key != key) entry = {key, hit_of_block(key)};
-      run.hit = entry.hit;
-      run.place = hit_blocks[entry.hit].row_count;
-      hit_blocks[entry.hit].row_count += run.last - run.first;
-    }
-}
-
-void Mapper::State::find_block_runs() {
-  constexpr std::size_t kAtOnce = 4096;
-  const std::size_t rows = projected.size();
-  block_runs.resize((rows + kAtOnce - 1) / kAtOnce);
-  for_each_index(block_runs.size(), [this, rows](std::size_t piece) {
-    block_runs[piece].clear();
-    const std::uint64_t* const block = located.block.data();
-    const auto last = static_cast<std::uint32_t>(std::min(rows, (piece + 1) * kAtOnce));
-    for (auto row = static_cast<std::uint32_t>(piece * kAtOnce), end = row; row < last; row = end) {
-      for (end = row + 1; end < last && block[end] == block[row];) ++end;
-      if (block[row] != LocatedRows::kNowhere) block_runs[piece].push_back({0, 0, row, end});
-    }
-  });
+  block_runs.clear();
+  const auto rows = static_cast<std::uint32_t>(projected.size());
+  const std::uint64_t* const block = located.block.data();
+  for (std::uint32_t row = 0, end; row < rows; row = end) {
+    const std::uint64_t key = block[row];
+    for (end = row + 1; end < rows && block[end] == key;) ++end;
+    if (key == LocatedRows::kNowhere) continue;
+    Recent& entry = recent[BlockKeyHash{}(key) % kRecent];
+    if (entry.key != key) entry = {key, hit_of_block(key)};
+    block_runs.push_back({entry.hit, row, end});
+    hit_blocks[entry.hit].row_count += end - row;
+  }
 }
 
 std::uint32_t Mapper::State::hit_of_block(std::uint64_t packed_key) {
@@ -72,16 +58,16 @@ void Mapper::State::sort_rows_by_block() {
   for (HitBlock& hit : hit_blocks) {
     hit.first_row = rows;
     rows += hit.row_count;
+    hit.row_count = 0;
   }
   rows_by_block.resize(rows);
   ranks_by_block.resize(rows);
   made_by_block.resize(rows);
-  for_each_index(block_runs.size(), [this](std::size_t piece) {
-    for (const BlockRun& run : block_runs[piece]) {
-      const auto begin = rows_by_block.begin() + hit_blocks[run.hit].first_row + run.place;
-      std::iota(begin, begin + (run.last - run.first), run.first);
-    }
-  });
+  for (const BlockRun& run : block_runs) {
+    HitBlock& hit = hit_blocks[run.hit];
+    for (std::uint32_t row = run.first; row < run.last; ++row)
+      rows_by_block[hit.first_row + hit.row_count++] = row;
+  }
 }
 
 STILLMAP_VECTOR_CLONES void Mapper::State::insert_rows(HitBlock& hit) {

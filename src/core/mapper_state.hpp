@@ -86,7 +86,6 @@ struct Mapper::State : PresentScan {
   // insertion.cpp
   void insert(const Eigen::Isometry3d& T_map_sensor);
   void find_hit_blocks();
-  void find_block_runs();
   std::uint32_t hit_of_block(std::uint64_t packed_key);
   bool is_hit(std::uint32_t block) const {
     return block < last_hits.size() && last_hits[block].scan == scan_count;

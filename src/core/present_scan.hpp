@@ -38,10 +38,9 @@ struct HitBlock {
   std::uint32_t first_row = 0, row_count = 0, new_count = 0;
 };
 
-/// Rows first .. last - 1 of the scan lie in one block: HitBlock number `hit`, of whose rows they are those
-/// from number `place`.
+/// Rows of the scan that follow each other in one block: HitBlock number `hit`, first .. last - 1.
 struct BlockRun {
-  std::uint32_t hit, place, first, last;
+  std::uint32_t hit, first, last;
 };
 
 /// A scan that has its labels.
@@ -57,10 +56,10 @@ struct PresentScan {
   ProjectedScan projected;
   LocatedRows located;
   std::vector<HitBlock> hit_blocks;
-  std::vector<LastHit> last_hits;                 ///< by index of the block in the map
-  std::vector<std::vector<BlockRun>> block_runs;  ///< by piece of the scan
-  std::vector<std::uint32_t> rows_by_block;       ///< rows of the scan
-  std::vector<std::uint16_t> ranks_by_block;      ///< of their voxels among the block's stored ones
+  std::vector<LastHit> last_hits;  ///< by index of the block in the map
+  std::vector<BlockRun> block_runs;
+  std::vector<std::uint32_t> rows_by_block;   ///< rows of the scan
+  std::vector<std::uint16_t> ranks_by_block;  ///< of their voxels among the block's stored ones
   std::vector<NewVoxel> made_by_block, new_voxels;
   std::vector<std::uint8_t> on_old_surface;  ///< by judged row: its voxel has been there for a while
   std::vector<std::uint8_t> on_porous;  ///< by judged row: its voxel was hit again after it was seen through

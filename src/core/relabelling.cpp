@@ -1,4 +1,4 @@
-#include <memory>
+#include <optional>
 
 #include "for_rows.hpp"
 #include "mapper_state.hpp"
@@ -24,8 +24,8 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   s.rolling.move_to(T_map_sensor.translation());
   s.rolling.leave(T_map_sensor.translation(), s.scan_count);
   const GateSettings gate_values = gate_settings(s.parameters);
-  const auto gates = gate_values.any() ? std::make_unique<StructureGates>(s.map, gate_values)
-                                       : std::unique_ptr<StructureGates>();
+  const auto gates =
+      gate_values.any() ? std::make_optional<StructureGates>(s.map, gate_values) : std::nullopt;
   ScanLabels settled = online;
   s.arena.run([&] {
     const Eigen::Isometry3d T_aligned = s.realigned(scan, T_map_sensor);
@@ -35,7 +35,7 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
         if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
         const Eigen::Vector3d point_map_m = T_aligned * scan.points[row].cast<double>();
         const Voxel* const voxel = voxels.find(s.map.key_of(point_map_m));
-        if (voxel != nullptr) s.settle_by_map(settled, row, point_map_m, *voxel, gates.get());
+        if (voxel != nullptr) s.settle_by_map(settled, row, point_map_m, *voxel, gates ? &*gates : nullptr);
       }
     });
   });
