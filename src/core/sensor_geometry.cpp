@@ -14,14 +14,20 @@ float quantile(std::vector<float>& values, double fraction) {
   return *nth;
 }
 
+/// Bins of one angle; the first of them begins `shift` bins below where it would.
+struct Bins {
+  float width_rad, shift = 0;
+};
+
 /// Sorts `angle` inside bins of `bin_angle` and returns the gaps between neighbours that are at least
 /// `floor_rad`.
 std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const std::vector<float>& angle,
-                                    const std::vector<float>& range_m, float bin_rad, float floor_rad) {
+                                    const std::vector<float>& range_m, Bins bins, float floor_rad) {
   constexpr float kHalfTurn = 3.15F;  // no angle is larger
-  const int first_bin = static_cast<int>(std::floor(-kHalfTurn / bin_rad));
+  const int first_bin = static_cast<int>(std::floor(-kHalfTurn / bins.width_rad));
   const auto bin_of = [&](std::size_t i) {
-    return static_cast<std::size_t>(static_cast<int>(std::floor(bin_angle[i] / bin_rad)) - first_bin);
+    const float bin = std::floor(bin_angle[i] / bins.width_rad + bins.shift);
+    return static_cast<std::size_t>(static_cast<int>(bin) - first_bin);
   };
   std::vector<std::size_t> end(static_cast<std::size_t>(2 - 2 * first_bin),
                                0);  // of each bin, among its angles
@@ -60,25 +66,29 @@ float mean_spacing_rad(const ProjectedScan& scan) {
   return kCell * std::sqrt(cells / static_cast<float>(std::max<std::size_t>(1, scan.judged)));
 }
 
+/// Most steps of a ring are alike.
+bool are_of_rings(std::vector<float>& steps) {
+  constexpr float kAlike = 1.6F;
+  return quantile(steps, 0.5) < kAlike * quantile(steps, 0.25);
+}
+
 }  // namespace
 
 SensorGeometry measure_geometry(const ProjectedScan& scan) {
   constexpr std::size_t kEnough = 50;
   // Thin columns hold a return or two of each ring: their larger gaps are the ring spacing. Rows thinner than
-  // a ring hold one ring: their middle gap is the azimuth step.
+  // a ring hold one ring: their middle gap is the azimuth step, where no edge of a row goes along the ring.
+  constexpr Bins kColumns{0.4F * kRad}, kRows{0.1F * kRad}, kRowsBetween{0.1F * kRad, 0.5F};
   std::vector<float> rings =
-      gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, 0.4F * kRad, 0.03F * kRad);
-  std::vector<float> steps =
-      gaps_inside_bins(scan.elevation_rad, scan.azimuth_rad, scan.range_m, 0.1F * kRad, 0.02F * kRad);
-  SensorGeometry found;
-  if (rings.size() >= kEnough) found.ring_spacing_rad = quantile(rings, 0.75);
-  if (steps.size() >= kEnough) found.azimuth_step_rad = quantile(steps, 0.5);
-  // Rings and steps must explain how many returns there are; else the pattern has neither.
-  constexpr float kFarFromRings = 3.0F;
+      gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, kColumns, 0.03F * kRad);
+  for (const Bins rows : {kRows, kRowsBetween}) {
+    std::vector<float> steps =
+        gaps_inside_bins(scan.elevation_rad, scan.azimuth_rad, scan.range_m, rows, 0.02F * kRad);
+    if (rings.size() < kEnough || steps.size() < kEnough) return {};
+    if (are_of_rings(steps)) return {quantile(rings, 0.75), quantile(steps, 0.5)};
+  }
   const float mean_rad = mean_spacing_rad(scan);
-  if (found.ring_spacing_rad * found.azimuth_step_rad > kFarFromRings * mean_rad * mean_rad)
-    found.ring_spacing_rad = found.azimuth_step_rad = mean_rad;
-  return found;
+  return {mean_rad, mean_rad};
 }
 
 SensorGeometry GeometryEstimator::update(const ProjectedScan& scan) {
