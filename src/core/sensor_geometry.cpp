@@ -67,7 +67,7 @@ float mean_spacing_rad(const ProjectedScan& scan) {
 }
 
 /// Most steps of a ring are alike.
-bool are_of_rings(std::vector<float>& steps) {
+bool are_alike(std::vector<float>& steps) {
   constexpr float kAlike = 1.6F;
   return quantile(steps, 0.5) < kAlike * quantile(steps, 0.25);
 }
@@ -76,18 +76,24 @@ bool are_of_rings(std::vector<float>& steps) {
 
 SensorGeometry measure_geometry(const ProjectedScan& scan) {
   constexpr std::size_t kEnough = 50;
+  constexpr float kMoreThanAReturnHas = 1.2F;
   // Thin columns hold a return or two of each ring: their larger gaps are the ring spacing. Rows thinner than
   // a ring hold one ring: their middle gap is the azimuth step, where no edge of a row goes along the ring.
   constexpr Bins kColumns{0.4F * kRad}, kRows{0.1F * kRad}, kRowsBetween{0.1F * kRad, 0.5F};
   std::vector<float> rings =
       gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, kColumns, 0.03F * kRad);
+  SensorGeometry found;
   for (const Bins rows : {kRows, kRowsBetween}) {
     std::vector<float> steps =
         gaps_inside_bins(scan.elevation_rad, scan.azimuth_rad, scan.range_m, rows, 0.02F * kRad);
     if (rings.size() < kEnough || steps.size() < kEnough) return {};
-    if (are_of_rings(steps)) return {quantile(rings, 0.75), quantile(steps, 0.5)};
+    found = {quantile(rings, 0.75), quantile(steps, 0.5)};
+    if (are_alike(steps)) return found;
   }
+  // Several sensors in one cloud have uneven steps, too; but theirs explain how many returns there are.
   const float mean_rad = mean_spacing_rad(scan);
+  if (found.ring_spacing_rad * found.azimuth_step_rad < kMoreThanAReturnHas * mean_rad * mean_rad)
+    return found;
   return {mean_rad, mean_rad};
 }
 
