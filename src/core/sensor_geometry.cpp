@@ -1,6 +1,7 @@
 #include "stillmap/sensor_geometry.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace stillmap {
 namespace {
@@ -14,9 +15,15 @@ float quantile(std::vector<float>& values, double fraction) {
   return *nth;
 }
 
-/// Bins of one angle; the first of them begins `shift` bins below where it would.
+/// Bins of one angle: the first of them begins `shift` bins below where it would, one in `of` is looked at.
 struct Bins {
   float width_rad, shift = 0;
+  std::uint32_t of = 1;
+
+  /// Scattered, so that neither rings at even distances nor a narrow field of view fall between them.
+  bool looked_at(std::size_t bin) const {
+    return (static_cast<std::uint32_t>(bin) * 2654435769U) >> 16 < 65536U / of;
+  }
 };
 
 /// Sorts `angle` inside bins of `bin_angle` and returns the gaps between neighbours that are at least
@@ -25,27 +32,17 @@ std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const s
                                     const std::vector<float>& range_m, Bins bins, float floor_rad) {
   constexpr float kHalfTurn = 3.15F;  // no angle is larger
   const int first_bin = static_cast<int>(std::floor(-kHalfTurn / bins.width_rad));
-  const auto bin_of = [&](std::size_t i) {
-    const float bin = std::floor(bin_angle[i] / bins.width_rad + bins.shift);
-    return static_cast<std::size_t>(static_cast<int>(bin) - first_bin);
-  };
-  std::vector<std::size_t> end(static_cast<std::size_t>(2 - 2 * first_bin),
-                               0);  // of each bin, among its angles
-  for (std::size_t i = 0; i < angle.size(); ++i)
-    if (range_m[i] > 0) ++end[bin_of(i)];
-  for (std::size_t bin = 1; bin < end.size(); ++bin) end[bin] += end[bin - 1];
-  std::vector<float> sorted(end.back());
-  std::vector<std::size_t> begin = end;
-  for (std::size_t i = 0; i < angle.size(); ++i)
-    if (range_m[i] > 0) sorted[--begin[bin_of(i)]] = angle[i];
+  std::vector<std::vector<float>> angles(static_cast<std::size_t>(2 - 2 * first_bin));
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const float at = std::floor(bin_angle[i] / bins.width_rad + bins.shift);
+    const auto bin = static_cast<std::size_t>(static_cast<int>(at) - first_bin);
+    if (range_m[i] > 0 && bins.looked_at(bin)) angles[bin].push_back(angle[i]);
+  }
   std::vector<float> gaps;
-  gaps.reserve(sorted.size());
-  for (std::size_t bin = 0; bin < end.size(); ++bin) {
-    const auto of_bin = sorted.begin();
-    std::sort(of_bin + static_cast<std::ptrdiff_t>(begin[bin]),
-              of_bin + static_cast<std::ptrdiff_t>(end[bin]));
-    for (std::size_t i = begin[bin] + 1; i < end[bin]; ++i)
-      if (const float gap = sorted[i] - sorted[i - 1]; gap >= floor_rad) gaps.push_back(gap);
+  for (std::vector<float>& of_bin : angles) {
+    std::sort(of_bin.begin(), of_bin.end());
+    for (std::size_t i = 1; i < of_bin.size(); ++i)
+      if (const float gap = of_bin[i] - of_bin[i - 1]; gap >= floor_rad) gaps.push_back(gap);
   }
   return gaps;
 }
@@ -72,18 +69,18 @@ bool are_alike(std::vector<float>& steps) {
   return quantile(steps, 0.5) < kAlike * quantile(steps, 0.25);
 }
 
-}  // namespace
-
-SensorGeometry measure_geometry(const ProjectedScan& scan) {
+/// Zeros where the bins that are looked at hold too little.
+SensorGeometry measure(const ProjectedScan& scan, std::uint32_t one_bin_in) {
   constexpr std::size_t kEnough = 50;
   constexpr float kMoreThanAReturnHas = 1.2F;
   // Thin columns hold a return or two of each ring: their larger gaps are the ring spacing. Rows thinner than
   // a ring hold one ring: their middle gap is the azimuth step, where no edge of a row goes along the ring.
-  constexpr Bins kColumns{0.4F * kRad}, kRows{0.1F * kRad}, kRowsBetween{0.1F * kRad, 0.5F};
+  const Bins columns{0.4F * kRad, 0, one_bin_in};
   std::vector<float> rings =
-      gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, kColumns, 0.03F * kRad);
+      gaps_inside_bins(scan.azimuth_rad, scan.elevation_rad, scan.range_m, columns, 0.03F * kRad);
   SensorGeometry found;
-  for (const Bins rows : {kRows, kRowsBetween}) {
+  for (const float shift : {0.0F, 0.5F}) {
+    const Bins rows{0.1F * kRad, shift, one_bin_in};
     std::vector<float> steps =
         gaps_inside_bins(scan.elevation_rad, scan.azimuth_rad, scan.range_m, rows, 0.02F * kRad);
     if (rings.size() < kEnough || steps.size() < kEnough) return {};
@@ -95,6 +92,13 @@ SensorGeometry measure_geometry(const ProjectedScan& scan) {
   if (found.ring_spacing_rad * found.azimuth_step_rad < kMoreThanAReturnHas * mean_rad * mean_rad)
     return found;
   return {mean_rad, mean_rad};
+}
+
+}  // namespace
+
+SensorGeometry measure_geometry(const ProjectedScan& scan) {
+  const SensorGeometry found = measure(scan, 4);
+  return found.ring_spacing_rad > 0 ? found : measure(scan, 1);
 }
 
 SensorGeometry GeometryEstimator::update(const ProjectedScan& scan) {

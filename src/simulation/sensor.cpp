@@ -24,6 +24,14 @@ std::vector<double> hdl64_elevations() {
   return elevations;
 }
 
+/// Close together near the horizon and 9 degrees apart at the bottom, as the data sheet has it.
+std::vector<double> vlp32_elevations() {
+  std::vector<double> elevations = {-25, -15.639, -11.31, -8.843, -7.254, -6.148, -5.333, -4.667};
+  for (const double elevation : evenly(18, -4, 1.667)) elevations.push_back(elevation);
+  for (const double elevation : {2.333, 3.333, 4.667, 7.0, 10.333, 15.0}) elevations.push_back(elevation);
+  return elevations;
+}
+
 SensorModel spinning(const std::string& name, std::vector<double> elevations, std::size_t columns,
                      double max_range_m) {
   SensorModel sensor;
@@ -48,9 +56,11 @@ SensorModel non_repetitive(const std::string& name, ScanPattern pattern, std::si
 std::vector<SensorModel> all_sensors() {
   return {spinning("vlp16", evenly(16, -15, 15), 1800, 100),
           spinning("hdl32", evenly(32, -30.67, 10.67), 2170, 100),
+          spinning("vlp32", vlp32_elevations(), 1800, 120),
           spinning("hdl64", hdl64_elevations(), 2083, 120),
           spinning("os1_64", evenly(64, -22.5, 22.5), 1024, 100),
           spinning("os1_128", evenly(128, -22.5, 22.5), 1024, 120),
+          spinning("os0_128", evenly(128, -45, 45), 1024, 50),
           non_repetitive("livox", ScanPattern::kRosette, 24000, 150),
           non_repetitive("mid360", ScanPattern::kSpiral, 20000, 70)};
 }

@@ -25,6 +25,12 @@ TEST(Sensor, RingsLieAsInTheDataSheets) {
   EXPECT_NEAR(hdl64.ring_elevations_deg[1] - hdl64.ring_elevations_deg[0], 0.5, 1e-9);
   EXPECT_NEAR(hdl64.ring_elevations_deg[63] - hdl64.ring_elevations_deg[62], 1.0 / 3, 1e-3);
   EXPECT_EQ(sensor_model("hdl32").ring_elevations_deg.size(), 32U);
+  const SensorModel vlp32 = sensor_model("vlp32");
+  ASSERT_EQ(vlp32.ring_elevations_deg.size(), 32U);
+  EXPECT_DOUBLE_EQ(vlp32.ring_elevations_deg.front(), -25);
+  EXPECT_NEAR(vlp32.ring_elevations_deg[20], 0, 1e-9);
+  EXPECT_DOUBLE_EQ(vlp32.ring_elevations_deg.back(), 15);
+  EXPECT_EQ(sensor_model("os0_128").beam_count(), 128U * 1024U);
   EXPECT_EQ(sensor_model("os1_64").beam_count(), 64U * 1024U);
   EXPECT_EQ(sensor_model("os1_128").beam_count(), 128U * 1024U);
 }
