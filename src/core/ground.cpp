@@ -69,11 +69,14 @@ void UprightRows::turn(const ProjectedScan& scan, const Eigen::Matrix3f& R_map_s
 
 void Ground::fit(const UprightRows& rows) {
   lowest_.assign(kSectors * kRings, kNothing);
+  highest_.assign(kSectors * kRings, -kNothing);
   height_.assign(kSectors * kRings, 0.0F);
   for_shares_of_cells([&](int first, int last) {
     for (std::size_t i = 0; i < rows.z_m.size(); ++i) {
       const int cell = rows.ground_cell[i];
-      if (cell >= first && cell < last) lowest_[cell] = std::min(lowest_[cell], rows.z_m[i]);
+      if (cell < first || cell >= last) continue;
+      lowest_[cell] = std::min(lowest_[cell], rows.z_m[i]);
+      highest_[cell] = std::max(highest_[cell], rows.z_m[i]);
     }
   });
   const float seed = seed_height();
@@ -120,15 +123,17 @@ float Ground::seed_height() const {
 }
 
 void Ground::walk(int sector, float seed) {
-  constexpr float kSlope = 0.18F, kRoughM = 0.15F;
-  constexpr int kSlopeGoesOnRings = 5;  // farther, what stands there alone is more likely
+  constexpr float kSlope = 0.18F, kRoughM = 0.15F, kFlatM = 0.3F;
+  constexpr int kSlopeGoesOnRings = 5;   // farther, what stands there alone is more likely
+  constexpr int kGoesOnUnderThings = 1;  // it may be a side, met far above the ground
   steps_.clear();
   steps_.push_back({-1, seed});
   for (int ring = 0; ring < kRings; ++ring) {
     const float lowest = lowest_[sector * kRings + ring];
     const Step& last = steps_.back();
-    const float reach =
-        kRoughM + kSlope * kRingM * static_cast<float>(std::min(ring - last.ring, kSlopeGoesOnRings));
+    const bool is_flat = highest_[sector * kRings + ring] - lowest < kFlatM;
+    const int goes_on = std::min(ring - last.ring, is_flat ? kSlopeGoesOnRings : kGoesOnUnderThings);
+    const float reach = kRoughM + kSlope * kRingM * static_cast<float>(goes_on);
     if (lowest < kNothing && std::abs(lowest - last.height_m) <= reach) {
       steps_.push_back({ring, lowest});
       forget_bump();

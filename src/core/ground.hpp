@@ -41,8 +41,8 @@ class Ground {
   static float between(const Step& a, const Step& b, int ring);
   void settle_on_returns(const UprightRows& rows);
 
-  std::vector<float> lowest_;  ///< per sector and ring; kNothing = no return
-  std::vector<float> height_;  ///< of the ground, for all of them
+  std::vector<float> lowest_, highest_;  ///< per sector and ring; kNothing and -kNothing = no return
+  std::vector<float> height_;            ///< of the ground, for all of them
   std::vector<float> sum_, count_;
   std::vector<Step> steps_;  ///< of the present sector: where the walk met ground
 };

@@ -116,6 +116,21 @@ TEST(Ground, ASensorThatHardlyLooksDownDoesNotTakeThingsForIt) {
   EXPECT_NEAR(heights_above(ground, {{20, 0, -1.7F}}, kUpright).front(), 0, 0.05);
 }
 
+TEST(Ground, ASideThatIsMetAboveUnseenGroundIsNotGround) {
+  // The lowest beams meet the ground 14 m away, and the side of a van 11 m away 0.35 m above it.
+  const Rings sensor{64, 1024, -7, 52};
+  const Scan scan = sensor.scan([](float azimuth, float elevation) {
+    const Eigen::Vector3f d = direction(azimuth, elevation);
+    const float ground_m = d.z() < 0 ? -1.7F / d.z() : 1e3F, van_m = d.x() > 0 ? 11 / d.x() : 1e3F;
+    const bool is_van = std::abs(van_m * d.y()) < 2 && van_m * d.z() < 0.3F;
+    const float range_m = std::min(ground_m, is_van ? van_m : 1e3F);
+    return range_m < 70 ? range_m : 0.0F;
+  });
+  const Ground ground = fitted_to(scan, kUpright);
+  EXPECT_NEAR(heights_above(ground, {{11, 0, -1.3F}}, kUpright).front(), 0.4F, 0.1F);
+  EXPECT_NEAR(heights_above(ground, {{20, 9, -1.7F}}, kUpright).front(), 0, 0.05);
+}
+
 TEST(Ground, ATiltedSensorSeesTheSameGround) {
   const Eigen::Matrix3f R_map_sensor =
       Eigen::AngleAxisf(0.15F, Eigen::Vector3f(0.6F, 0.8F, 0)).toRotationMatrix();
