@@ -9,7 +9,9 @@ namespace stillmap {
 /// What the range images must know of a sensor: how far apart its beams are.
 struct SensorGeometry {
   float ring_spacing_rad = 0;  ///< between neighbouring beams in elevation
-  float azimuth_step_rad = 0;  ///< between neighbouring returns of a ring
+  float azimuth_step_rad = 0;  ///< between neighbouring returns of a ring; as ring_spacing_rad without rings
+
+  bool has_rings() const { return azimuth_step_rad != ring_spacing_rad; }
 };
 
 /// One scan's answer; zeros when it holds too few returns to tell.

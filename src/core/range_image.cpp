@@ -65,7 +65,8 @@ RangeImage RangeImage::nearest(const ProjectedScan& scan, float level_rad, float
 }
 
 RangeImage RangeImage::bracketed(const ProjectedScan& scan, SensorGeometry geometry, float max_range_m) {
-  const float column_rad = std::max(0.4F * kRad, 1.5F * geometry.azimuth_step_rad);
+  const float steps_in_column = geometry.has_rings() ? 1.5F : 1.2F;
+  const float column_rad = std::max(0.4F * kRad, steps_in_column * geometry.azimuth_step_rad);
   const float row_rad = 0.15F * kRad;
   const int gap_rows = static_cast<int>(std::ceil(1.25F * geometry.ring_spacing_rad / row_rad));
   const float margin = gap_rows * row_rad;
