@@ -76,6 +76,14 @@ TEST(RangeImage, BracketedMatchesTheSlowOne) {
   }
 }
 
+TEST(RangeImage, WithoutRingsItMatchesTheSlowOneToo) {
+  const ProjectedScan scan = ragged({64, 1024, -22.5F, 22.5F}, 8);
+  const SensorGeometry geometry{0.5F * kRad, 0.5F * kRad};
+  ASSERT_FALSE(geometry.has_rings());
+  expect_same(RangeImage::bracketed(scan, geometry, kMaxRangeM),
+              reference::RangeImage::bracketed(returns_of(scan), 0.5F * kRad, 0.5F * kRad, kMaxRangeM), 9);
+}
+
 TEST(RangeImage, NearestReturnOfAPixelWins) {
   Scan scan;
   for (const float range_m : {20.0F, 8.0F, 12.0F})

@@ -31,7 +31,9 @@ class RangeImage {
                               double azimuth_step_rad, double max_range_m) {
     const double row_rad = 0.15 * kRad;
     const int gap = static_cast<int>(std::ceil(1.25 * ring_spacing_rad / row_rad));
-    return RangeImage(returns, std::max(0.4 * kRad, 1.5 * azimuth_step_rad), row_rad, gap, max_range_m);
+    const double steps_in_column = azimuth_step_rad == ring_spacing_rad ? 1.2 : 1.5;  // without rings
+    const double column_rad = std::max(0.4 * kRad, steps_in_column * azimuth_step_rad);
+    return RangeImage(returns, column_rad, row_rad, gap, max_range_m);
   }
 
   std::pair<int, int> pixel(const Direction& d) const {  // column, row
