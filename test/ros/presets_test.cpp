@@ -17,6 +17,8 @@
 namespace stillmap {
 namespace {
 
+// Given, not found: the last digits of what is found are the rounding's, and all pixels hang on them.
+constexpr double kRingSpacing_deg = 2.0, kAzimuthStep_deg = 0.2;
 constexpr std::size_t kScans = 11;  // odd: the last one is a keyframe, too
 const std::vector<TrueScan>& scans() {
   static const std::vector<TrueScan> all = true_scans(kScans);
@@ -27,7 +29,10 @@ const std::vector<TrueScan>& scans() {
 const std::vector<ScanLabels>& true_labels() {
   static const std::vector<ScanLabels> all = [] {
     std::vector<ScanLabels> labels;
-    Mapper mapper{Parameters{}};
+    Parameters parameters;
+    parameters.ring_spacing_deg = kRingSpacing_deg;
+    parameters.azimuth_step_deg = kAzimuthStep_deg;
+    Mapper mapper(parameters);
     for (const TrueScan& scan : scans()) labels.push_back(mapper.process(scan.scan, scan.T_map_sensor));
     return labels;
   }();
@@ -39,6 +44,8 @@ class Presets : public testing::TestWithParam<PackageConventions> {
   void SetUp() override {
     const PackageConventions& package = GetParam();
     private_nh_.setParam("odometry_preset", package.preset);
+    private_nh_.setParam("ring_spacing_deg", kRingSpacing_deg);
+    private_nh_.setParam("azimuth_step_deg", kAzimuthStep_deg);
     if (!package.sensor_on_body.empty()) private_nh_.setParam("sensor_on_body", package.sensor_on_body);
     node_ = std::make_unique<StillmapRos>(nh_, private_nh_);
     cloud_publisher_ = nh_.advertise<sensor_msgs::PointCloud2>(package.cloud_topic, 100);

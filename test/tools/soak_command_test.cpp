@@ -54,9 +54,12 @@ constexpr char kMemory[] = "";  // a sanitizer's own says nothing
 constexpr char kMemory[] = " --most-mb 250 --most-mb-per-km 60";
 #endif
 
+/// The two maps that are compared would find them each in other scans.
+constexpr char kBeams[] = " --set ring_spacing_deg=2 --set azimuth_step_deg=0.2";
+
 TEST_F(SoakCommand, WithARollingMapCostAndMemoryAreFlat) {
   const Outcome run = soak(lap + " --scans 160 --set max_range_m=30 --set rolling_radius_m=40" +
-                           " --set rolling_directory=" + folder.path("far") + kMemory +
+                           " --set rolling_directory=" + folder.path("far") + kBeams + kMemory +
                            " --most-cost-ratio 1.3 --most-different-percent 2");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_NE(run.output.find("\n      80    0.00    0.1"), std::string::npos) << run.output;
