@@ -16,15 +16,15 @@ struct Curve {
 constexpr std::array<Curve, kReasonCount> kCurves = {{
     {0.00F, 0.00F},   // no return
     {0.00F, 0.00F},   // out of range
-    {2.08F, 0.00F},   // never judged
-    {2.52F, 1.01F},   // mixed evidence
-    {3.37F, 1.69F},   // supported
-    {0.60F, 0.62F},   // seen through now
-    {0.60F, 0.62F},   // seen through
-    {-1.45F, 0.00F},  // object moves
-    {4.40F, 0.00F},   // object stands
-    {-3.53F, 0.00F},  // replaced vanished
-    {1.93F, 0.98F},   // seen through later
+    {3.12F, 0.00F},   // never judged
+    {3.24F, 0.80F},   // mixed evidence
+    {5.31F, 0.92F},   // supported
+    {-0.15F, 1.19F},  // seen through now
+    {-0.15F, 1.19F},  // seen through
+    {-1.58F, 0.00F},  // object moves
+    {5.23F, 0.00F},   // object stands
+    {-4.05F, 0.00F},  // replaced vanished
+    {2.50F, 1.03F},   // seen through later
 }};
 
 }  // namespace
