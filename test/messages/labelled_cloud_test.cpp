@@ -33,6 +33,15 @@ std::string row(const sensor_msgs::PointCloud2& cloud, std::size_t i, std::size_
   return std::string(reinterpret_cast<const char*>(row_data(cloud, i)), bytes);
 }
 
+/// As text: messages of roscpp 1.14 cannot be compared.
+std::vector<std::string> fields_of(const sensor_msgs::PointCloud2& cloud) {
+  std::vector<std::string> fields;
+  for (const sensor_msgs::PointField& field : cloud.fields)
+    fields.push_back(field.name + " " + std::to_string(field.offset) + " " + std::to_string(field.datatype) +
+                     " " + std::to_string(field.count));
+  return fields;
+}
+
 TEST(LabelledCloud, TheThreeCloudsPartitionTheInputByteByByte) {
   const auto cloud = cloud_of(kLabels.size());
   const ScanLabels labels = labels_of(kLabels);
@@ -44,7 +53,7 @@ TEST(LabelledCloud, TheThreeCloudsPartitionTheInputByteByByte) {
   for (const auto& [part, rows] : expected) {
     EXPECT_EQ(part->header.stamp, cloud->header.stamp);
     EXPECT_EQ(part->header.frame_id, cloud->header.frame_id);
-    EXPECT_EQ(part->fields, cloud->fields);
+    EXPECT_EQ(fields_of(*part), fields_of(*cloud));
     ASSERT_EQ(row_count(*part), rows.size());
     ASSERT_EQ(part->data.size(), rows.size() * cloud->point_step);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -56,7 +65,7 @@ TEST(LabelledCloud, MaskedRowsHaveNoPlaceAndKeepTheRest) {
   const auto cloud = cloud_of(kLabels.size());
   const auto out = mask_rows(*cloud, labels_of(kLabels), {Label::kDynamic, Label::kUncertain});
   EXPECT_FALSE(out->is_dense);
-  EXPECT_EQ(out->fields, cloud->fields);
+  EXPECT_EQ(fields_of(*out), fields_of(*cloud));
   Scan scan;
   to_scan(*out, scan);
   for (std::size_t i = 0; i < kLabels.size(); ++i) {
