@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "messages/fields_of.hpp"
 #include "messages/make_cloud.hpp"
 #include "messages/point_cloud_conversion.hpp"
 
@@ -31,15 +32,6 @@ sensor_msgs::PointCloud2Ptr cloud_of(std::size_t points) {
 
 std::string row(const sensor_msgs::PointCloud2& cloud, std::size_t i, std::size_t bytes) {
   return std::string(reinterpret_cast<const char*>(row_data(cloud, i)), bytes);
-}
-
-/// As text: messages of roscpp 1.14 cannot be compared.
-std::vector<std::string> fields_of(const sensor_msgs::PointCloud2& cloud) {
-  std::vector<std::string> fields;
-  for (const sensor_msgs::PointField& field : cloud.fields)
-    fields.push_back(field.name + " " + std::to_string(field.offset) + " " + std::to_string(field.datatype) +
-                     " " + std::to_string(field.count));
-  return fields;
 }
 
 TEST(LabelledCloud, TheThreeCloudsPartitionTheInputByteByByte) {
