@@ -11,7 +11,7 @@ packages=(
   libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libnav-msgs-dev libnodeletlib-dev librosbag-storage-dev libroscpp-dev libroslz4-dev
   libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev
   # ROS 1: tools at run time
-  libnodeletlib-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
+  libnodeletlib-tools rospack-tools python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy
   python3-sensor-msgs python3-std-srvs rosout
   # ROS 1: tests
   valgrind librostest-dev python3-rostest python3-rosunit libgtest-dev

@@ -31,10 +31,10 @@ bool unload() {
 }
 
 TEST(Reload, AHundredTimesWithoutALeak) {
+  ros::NodeHandle nh;  // before there is one, roscpp 1.14 knows no time to wait
   ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", ros::Duration(30)));
   const int manager = process_of("/manager");
   ASSERT_GT(manager, 0);
-  ros::NodeHandle nh;
   ros::Publisher clouds = nh.advertise<sensor_msgs::PointCloud2>("/cloud_registered", 100);
   ros::Publisher odometry = nh.advertise<nav_msgs::Odometry>("/Odometry", 100);
   std::uint64_t scans = 0;

@@ -3,18 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 
 #include "support/temporary_folder.hpp"
 
 namespace stillmap {
 namespace {
 
+/// The definitions of services have no comments with the gencpp of Ubuntu 20.04.
+std::string without_comments(const std::string& text) {
+  return std::regex_replace(text, std::regex(" *#[^\n]*"), "");
+}
+
 TEST(Reference, IsWhatTheCommandPrints) {
   TemporaryFolder folder;
   const std::string printed = folder.path("reference.md");
   ASSERT_EQ(std::system((STILLMAP_COMMAND " reference > " + printed).c_str()), 0);
-  EXPECT_EQ(read_text(printed), read_text(STILLMAP_FOLDER "/doc/reference.md"))
-      << "make it anew: stillmap reference > doc/reference.md";
+  const std::string text = read_text(printed), kept = read_text(STILLMAP_FOLDER "/doc/reference.md");
+  if (text.find("bool overwrite  ") == std::string::npos)
+    EXPECT_EQ(without_comments(text), without_comments(kept));
+  else
+    EXPECT_EQ(text, kept) << "make it anew: stillmap reference > doc/reference.md";
 }
 
 // doc/odometry.md has one column more.
