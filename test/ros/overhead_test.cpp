@@ -168,11 +168,9 @@ TEST(Overhead, OfTheNodeletOverTheMethodIsSmall) {
     clouds.push_back(to_cloud(frame));
     odometry.push_back(to_odometry(frame, clouds.back()->header.stamp));
   }
-  constexpr double kMostOverhead = 0.15;
   double least_overhead = 1e9;
   std::vector<double> latencies_ms;
-  // The best of three, on a busy machine of more: others' cache misses are not ours.
-  for (int round = 0; round < 3 || (least_overhead > kMostOverhead && round < 10); ++round) {
+  for (int round = 0; round < 3; ++round) {  // the best of three: others' cache misses are not ours
     const double alone_ms = method_alone_ms(frames);
     ros::param::set("/overhead/cloud_frame", "sensor");
     StillmapRos node(ros::NodeHandle(), ros::NodeHandle("/overhead"));
@@ -193,7 +191,7 @@ TEST(Overhead, OfTheNodeletOverTheMethodIsSmall) {
                 alone_ms / static_cast<double>(kScans - kWarmUp), 100 * least_overhead);
   }
   std::printf("message in to labels out: median %.2f ms wall\n", median(latencies_ms));
-  EXPECT_LE(least_overhead, kMostOverhead);
+  EXPECT_LE(least_overhead, 0.15);
 }
 
 }  // namespace
