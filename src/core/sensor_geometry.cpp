@@ -1,7 +1,11 @@
 #include "stillmap/sensor_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
+
+#include "vector_clones.hpp"
 
 namespace stillmap {
 namespace {
@@ -20,29 +24,60 @@ struct Bins {
   float width_rad, shift = 0;
   std::uint32_t of = 1;
 
-  /// Scattered, so that neither rings at even distances nor a narrow field of view fall between them.
-  bool looked_at(std::size_t bin) const {
-    return (static_cast<std::uint32_t>(bin) * 2654435769U) >> 16 < 65536U / of;
-  }
+  static constexpr float kHalfTurn = 3.15F;  // no angle is larger
+  int first() const { return static_cast<int>(std::floor(-kHalfTurn / width_rad)); }
+  std::size_t count() const { return static_cast<std::size_t>(2 - 2 * first()); }
 };
+
+constexpr std::size_t kAtOnce = 512;
+constexpr int kNoBin = -1;
+
+/// The bin of each of n rows; none for those without a return and where a bin is not looked at. These lie
+/// scattered, so that neither rings at even distances nor a narrow field of view fall between the others.
+STILLMAP_VECTOR_CLONES void find_bins(std::size_t n, const float* __restrict angle_rad,
+                                      const float* __restrict range_m, const Bins& of_bins,
+                                      int* __restrict bin) {
+  const Bins bins = of_bins;
+  const int first = bins.first();
+  const auto looked_at = static_cast<int>(65536U / bins.of);
+  for (std::size_t i = 0; i < n; ++i) {
+    const float at = angle_rad[i] / bins.width_rad + bins.shift;
+    const int whole = static_cast<int>(at);
+    const int found = whole - (at < static_cast<float>(whole) ? 1 : 0) - first;  // std::floor is a call
+    const auto scattered = static_cast<int>((static_cast<std::uint32_t>(found) * 2654435769U) >> 16);
+    bin[i] = (range_m[i] > 0) & (scattered < looked_at) ? found : kNoBin;
+  }
+}
 
 /// Sorts `angle` inside bins of `bin_angle` and returns the gaps between neighbours that are at least
 /// `floor_rad`.
 std::vector<float> gaps_inside_bins(const std::vector<float>& bin_angle, const std::vector<float>& angle,
                                     const std::vector<float>& range_m, Bins bins, float floor_rad) {
-  constexpr float kHalfTurn = 3.15F;  // no angle is larger
-  const int first_bin = static_cast<int>(std::floor(-kHalfTurn / bins.width_rad));
-  std::vector<std::vector<float>> angles(static_cast<std::size_t>(2 - 2 * first_bin));
-  for (std::size_t i = 0; i < angle.size(); ++i) {
-    const float at = std::floor(bin_angle[i] / bins.width_rad + bins.shift);
-    const auto bin = static_cast<std::size_t>(static_cast<int>(at) - first_bin);
-    if (range_m[i] > 0 && bins.looked_at(bin)) angles[bin].push_back(angle[i]);
+  struct Row {
+    int bin;
+    float angle_rad;
+  };
+  std::vector<Row> rows(angle.size() + 1);
+  std::vector<std::uint32_t> end(bins.count() + 1, 0);  // of each bin; first, how many the bin before has
+  std::size_t count = 0;
+  int bin[kAtOnce];
+  for (std::size_t first = 0; first < angle.size(); first += kAtOnce) {
+    const std::size_t n = std::min(kAtOnce, angle.size() - first);
+    find_bins(n, &bin_angle[first], &range_m[first], bins, bin);
+    for (std::size_t i = 0; i < n; ++i) {
+      rows[count] = {bin[i], angle[first + i]};
+      count += bin[i] != kNoBin ? 1 : 0;
+    }
   }
-  std::vector<float> gaps;
-  for (std::vector<float>& of_bin : angles) {
-    std::sort(of_bin.begin(), of_bin.end());
-    for (std::size_t i = 1; i < of_bin.size(); ++i)
-      if (const float gap = of_bin[i] - of_bin[i - 1]; gap >= floor_rad) gaps.push_back(gap);
+  for (std::size_t i = 0; i < count; ++i) ++end[static_cast<std::size_t>(rows[i].bin) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<float> sorted(count), gaps;
+  for (std::size_t i = 0; i < count; ++i)
+    sorted[end[static_cast<std::size_t>(rows[i].bin)]++] = rows[i].angle_rad;
+  for (std::size_t b = 0, first = 0; b < bins.count(); first = end[b++]) {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.begin() + end[b]);
+    for (std::size_t i = first + 1; i < end[b]; ++i)
+      if (const float gap = sorted[i] - sorted[i - 1]; gap >= floor_rad) gaps.push_back(gap);
   }
   return gaps;
 }
