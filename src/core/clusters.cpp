@@ -160,8 +160,10 @@ std::int32_t Clusters::surface_of(const ProjectedScan& scan, std::uint32_t row, 
                 dz = scan.z_m[there] - scan.z_m[row];
     return together(dx, dy, dz, nearer_m, reach_per_m_) ? dx * dx + (dy * dy + dz * dz) : kFar;
   };
-  if (row_of(nearest_[own]) == static_cast<std::int32_t>(row)) return own;
-  if (share_a_surface(range_of(nearest_[own]), scan.range_m[row]) || distance_m2(own) < kFar) return own;
+  // Either as often as not, so that a branch for each would be foretold wrongly.
+  const bool in_front = row_of(nearest_[own]) == static_cast<std::int32_t>(row);
+  if (in_front | share_a_surface(range_of(nearest_[own]), scan.range_m[row]) || distance_m2(own) < kFar)
+    return own;
   const int own_column = own / grid_.rows, own_row = own % grid_.rows;
   std::int32_t closest = kNone;
   float closest_m2 = kFar;
