@@ -6,8 +6,7 @@
 
 namespace stillmap {
 
-void Mapper::State::insert(const Eigen::Isometry3d& T_map_sensor) {
-  located.locate(projected, T_map_sensor, map.inverse_voxel_size());
+void Mapper::State::insert() {
   find_hit_blocks();
   sort_rows_by_block();
   // Each block has its own rows, in the scan's order.

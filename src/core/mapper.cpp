@@ -11,15 +11,10 @@ namespace {
 
 /// relabel() looks at columns so far around a return (structure_gates.cpp).
 constexpr double kColumnsAround_m = 4.0;
-constexpr float kRad = 0.01745329252F;
 
 Recursion recursion_of(const Parameters& p) {
   return {static_cast<float>(p.increment_clip), static_cast<float>(p.forgetting),
           static_cast<float>(p.log_odds_min), static_cast<float>(p.log_odds_max)};
-}
-
-SensorGeometry given_geometry(const Parameters& p) {
-  return {static_cast<float>(p.ring_spacing_deg) * kRad, static_cast<float>(p.azimuth_step_deg) * kRad};
 }
 
 /// A return from the element itself is support at every level.
@@ -65,21 +60,26 @@ const ScanLabels& Mapper::label(const Scan& scan, const Eigen::Isometry3d& T_map
   ++s.revision;
   s.go_on_to(scan.stamp_ns);
   s.arena.run([&] {
-    s.awaits_upkeep.emplace(LabelledScan{s.view_of(scan, T_map_sensor), T_map_sensor});
-    s.rolling.move_to(T_map_sensor.translation());
-    if (s.parameters.align_scans) s.align(*s.awaits_upkeep);
-    const ScanView& view = s.awaits_upkeep->view;  // I_O at all levels, eq. (2)
-    const Eigen::Isometry3d& T_aligned = s.awaits_upkeep->T_map_sensor;
+    const LabelledScan& seen = s.see(scan, T_map_sensor);
+    const ScanView& view = seen.view;  // I_O at all levels, eq. (2)
+    const Eigen::Isometry3d& T_aligned = seen.T_map_sensor;
     s.ended(Stage::kRangeImage);
-    s.insert(T_aligned);
-    s.ended(Stage::kInsertion);
-    s.apply_evidence_to_hits(view);  // eq. (2) to (8) for the voxels known before that this scan hit
-    s.ended(Stage::kEvidence);
-    s.replay_history(T_aligned);  // the same for the new ones, with earlier scans
-    s.ended(Stage::kReplay);
-    s.decide(view);  // eq. (9)
-    s.ended(Stage::kDecision);
-    if (s.parameters.resolve_objects) s.resolve_objects(scan, T_aligned, view);
+    s.located.locate(s.projected, T_aligned, s.map.inverse_voxel_size());
+    const auto judge = [&] {
+      s.insert();
+      s.ended(Stage::kInsertion);
+      s.apply_evidence_to_hits(view);  // eq. (2) to (8) for the voxels known before that this scan hit
+      s.ended(Stage::kEvidence);
+      s.replay_history(T_aligned);  // the same for the new ones, with earlier scans
+      s.ended(Stage::kReplay);
+      s.decide(view);  // eq. (9)
+      s.ended(Stage::kDecision);
+    };
+    const bool resolves = s.parameters.resolve_objects;
+    at_once(judge, [&] {
+      if (resolves) s.find_objects(T_aligned);
+    });
+    if (resolves) s.resolve_objects(scan, T_aligned, view);
     if (s.parameters.calibrate_p_static) s.calibrate();
     s.ended(Stage::kObjects);
   });
@@ -110,13 +110,6 @@ void Mapper::State::upkeep() {
   ended(Stage::kUpkeep);
 }
 
-SensorState& Mapper::State::sensor(int index) {
-  while (sensors.size() <= static_cast<std::size_t>(index))
-    sensors.push_back({GeometryEstimator(given_geometry(parameters)),
-                       ScanHistory(parameters.history_recent, parameters.history_spread)});
-  return sensors[static_cast<std::size_t>(index)];
-}
-
 void Mapper::State::go_on_to(std::int64_t next_stamp_ns) {
   constexpr double kSteadyS = 1.0;  // a longer gap proves no more than that
   const double gap_s = scan_count > 1 ? static_cast<double>(next_stamp_ns - stamp_ns) * 1e-9 : 0.0;
@@ -124,23 +117,6 @@ void Mapper::State::go_on_to(std::int64_t next_stamp_ns) {
   if (parameters.settle_time_s <= 0) return;
   const double share = std::clamp(gap_s, 0.0, kSteadyS) / parameters.settle_time_s;
   settling_step = static_cast<float>(-parameters.log_odds_min * share);
-}
-
-ScanView Mapper::State::view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) {
-  const auto max_range_m = static_cast<float>(parameters.max_range_m);
-  project(scan, static_cast<float>(parameters.min_range_m), max_range_m, projected);
-  SensorState& from = sensor(scan.sensor);
-  ++from.scans;
-  beams = from.beams = from.geometry.update(projected);
-  std::vector<RangeImage> levels;
-  for (const double level_deg : parameters.angular_levels_deg)
-    levels.push_back(level_deg > 0
-                         ? RangeImage::nearest(projected, static_cast<float>(level_deg) * kRad, max_range_m)
-                         : RangeImage::bracketed(projected, beams, max_range_m));
-  ScanView view(from.scans, T_map_sensor, std::move(levels));
-  view.stamp_ns = scan.stamp_ns;
-  view.sensor = static_cast<std::size_t>(scan.sensor);
-  return view;
 }
 
 std::size_t Mapper::voxel_count() const {

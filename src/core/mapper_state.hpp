@@ -63,14 +63,18 @@ struct Mapper::State : PresentScan {
 
   std::optional<LabelledScan> awaits_upkeep;  ///< the present scan, until upkeep() is through with it
 
-  // mapper.cpp
+  // see.cpp
   SensorState& sensor(int index);
+  /// The scan as its sensor saw it, from where it was.
+  LabelledScan& see(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
+  std::vector<RangeImage> range_images() const;
+
+  // mapper.cpp
   /// Memories are told in scans of one LiDAR; the map counts the scans of all.
   std::uint32_t scans_of_all(std::uint32_t scans_of_one) const {
     return scans_of_one * static_cast<std::uint32_t>(sensors.size());
   }
   void go_on_to(std::int64_t next_stamp_ns);
-  ScanView view_of(const Scan& scan, const Eigen::Isometry3d& T_map_sensor);
   void upkeep();
   /// No return, and no voxel that a return says something about, lies in a block whose corner is farther.
   double reach_m() const { return parameters.max_range_m + 2 * map.block_size_m(); }
@@ -79,12 +83,13 @@ struct Mapper::State : PresentScan {
   }
 
   // scan_alignment.cpp
-  void align(LabelledScan& scan);
+  /// The pose of the present scan, without what it jumped.
+  Eigen::Isometry3d aligned(const Eigen::Isometry3d& T_map_sensor, PoseJumps& jumps) const;
   /// Where the map has a scan that was seen before.
   Eigen::Isometry3d realigned(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) const;
 
   // insertion.cpp
-  void insert(const Eigen::Isometry3d& T_map_sensor);
+  void insert();
   void find_hit_blocks();
   std::uint32_t hit_of_block(std::uint64_t packed_key);
   bool is_hit(std::uint32_t block) const {
@@ -206,8 +211,10 @@ struct Mapper::State : PresentScan {
   void settle_objects(ScanLabels& settled) const;
 
   // objects.cpp, patches.cpp, vanished.cpp, specks.cpp, arrivals.cpp
+  /// By the shape of the scan alone, so that it may run beside what the map says of the rows.
+  void find_objects(const Eigen::Isometry3d& T_map_sensor);
   void resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor, const ScanView& view);
-  void separate_ground();
+  void settle_ground();
   void find_followed();
   void count_votes();
   void find_runs(std::size_t first, std::size_t last, std::vector<PatchRun>& found) const;
@@ -226,9 +233,7 @@ struct Mapper::State : PresentScan {
   void settle(std::size_t row, Reason reason);
   void defer_specks();
   void remember_arrivals();
-  bool is_judged(std::size_t row) const {
-    return (labels.label[row] != Label::kInvalid) & (labels.reason[row] != Reason::kOutOfRange);
-  }
+  bool is_judged(std::size_t row) const { return located.block[row] != LocatedRows::kNowhere; }
   bool is_established(std::size_t row) const {
     return (labels.label[row] == Label::kStatic) & (on_old_surface[row] != 0);
   }

@@ -3,13 +3,25 @@
 #include "mapper_state.hpp"
 
 namespace stillmap {
+namespace {
+
+constexpr float kGroundM = 0.1F;  // what rises less above it is ground
+
+}  // namespace
+
+void Mapper::State::find_objects(const Eigen::Isometry3d& T_map_sensor) {
+  upright.turn(projected, T_map_sensor.linear().cast<float>());
+  ground.fit(upright);
+  ground.heights_above(upright, height_above_ground_m);
+  find_rows(projected.size(), standing_rows,
+            [this](std::size_t row) { return is_judged(row) & !(height_above_ground_m[row] < kGroundM); });
+  clusters.find(projected, beams, standing_rows);
+  labels.object = clusters.of_row();
+}
 
 void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T_map_sensor,
                                     const ScanView& view) {
-  upright.turn(projected, T_map_sensor.linear().cast<float>());
-  separate_ground();
-  clusters.find(projected, beams, standing_rows);
-  labels.object = clusters.of_row();
+  settle_ground();
   find_followed();
   count_votes();
   if (parameters.vanish_test) test_vanished(scan, T_map_sensor, view);
@@ -22,15 +34,12 @@ void Mapper::State::resolve_objects(const Scan& scan, const Eigen::Isometry3d& T
   if (parameters.take_feet_along) take_feet_along();
 }
 
-void Mapper::State::separate_ground() {
-  constexpr float kGroundM = 0.1F;
-  ground.fit(upright);
-  ground.heights_above(upright, height_above_ground_m);
-  find_rows(projected.size(), standing_rows, [this](std::size_t row) {
-    const bool judged = is_judged(row), is_ground = height_above_ground_m[row] < kGroundM;
-    // Newly seen ground continues known ground.
-    if (judged && is_ground && labels.label[row] == Label::kUncertain) settle(row, Reason::kObjectStands);
-    return judged && !is_ground;
+// Newly seen ground continues known ground.
+void Mapper::State::settle_ground() {
+  for_rows(projected.size(), [this](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row)
+      if (labels.label[row] == Label::kUncertain && height_above_ground_m[row] < kGroundM)
+        settle(row, Reason::kObjectStands);
   });
 }
 

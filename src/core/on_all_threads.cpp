@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #if defined(STILLMAP_TELLS_TSAN)
 #include <sanitizer/tsan_interface.h>
@@ -56,6 +57,23 @@ void WorkerArena::run_call(void (*call)(const void* work), const void* work) {
 
 int arena_threads() {
   return tbb::this_task_arena::max_concurrency();
+}
+
+void call_at_once(void (*call_first)(const void* work), const void* first,
+                  void (*call_second)(const void* work), const void* second) {
+  if (arena_threads() == 1) {
+    call_first(first);
+    call_second(second);
+    return;
+  }
+  ThreadHandover handover;
+  tbb::task_group group;
+  group.run([&] {
+    const Share share(handover);
+    call_second(second);
+  });
+  call_first(first);
+  group.wait();
 }
 
 void call_for_pieces(std::size_t count, std::size_t at_once,

@@ -25,6 +25,18 @@ class WorkerArena {
 /// Of the arena that this runs in.
 int arena_threads();
 
+/// Behind at_once.
+void call_at_once(void (*call_first)(const void* work), const void* first,
+                  void (*call_second)(const void* work), const void* second);
+
+/// Calls first() on this thread and second() on another that is free, or after it: pieces of the one fill the
+/// gaps where the other goes on alone.
+template <class First, class Second>
+void at_once(const First& first, const Second& second) {
+  call_at_once([](const void* called) { (*static_cast<const First*>(called))(); }, &first,
+               [](const void* called) { (*static_cast<const Second*>(called))(); }, &second);
+}
+
 /// Behind for_pieces, once for all kinds of work.
 void call_for_pieces(std::size_t count, std::size_t at_once,
                      void (*call)(const void* work, std::size_t first, std::size_t last), const void* work);

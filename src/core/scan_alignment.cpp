@@ -129,28 +129,25 @@ std::optional<ScanAlignment::Plane> ScanAlignment::plane_near(const Eigen::Vecto
 }
 
 // Only what shakes is taken back: an odometry that drifts slowly carries the map along, as it always did.
-void Mapper::State::align(LabelledScan& scan) {
+Eigen::Isometry3d Mapper::State::aligned(const Eigen::Isometry3d& T_map_sensor, PoseJumps& jumps) const {
   constexpr double kUsualRate = 0.05, kShakingRate = 0.2;  // by scan
   constexpr double kClearlyMore = 1.15;
   constexpr double kJumpM = 0.12, kShakingM = 0.07;  // smaller ones, the windows of the evidence take
-  const std::optional<SmallMotion> off = ScanAlignment(map).find(projected, scan.T_map_sensor);
-  if (!off) return;
-  PoseJumps& jumps = sensors[scan.view.sensor].jumps;
+  const std::optional<SmallMotion> off = ScanAlignment(map).find(projected, T_map_sensor);
+  if (!off) return T_map_sensor;
   const SmallMotion jump = *off - jumps.usual;
   const double jump_m = jump.reach_m();
   jumps.usual.turn_rad += kUsualRate * jump.turn_rad;
   jumps.usual.shift_m += kUsualRate * jump.shift_m;
   jumps.mean_square_m2 += kShakingRate * (jump_m * jump_m - jumps.mean_square_m2);
-  if (jump_m < kJumpM && jumps.mean_square_m2 < kShakingM * kShakingM) return;
-  const Eigen::Isometry3d T_aligned = jump.applied_to(scan.T_map_sensor);
+  if (jump_m < kJumpM && jumps.mean_square_m2 < kShakingM * kShakingM) return T_map_sensor;
+  const Eigen::Isometry3d T_aligned = jump.applied_to(T_map_sensor);
   const ScanAlignment alignment(map);
   // Between sparse beams and leaves a jump may be found that is none.
-  if (alignment.agreeing(projected, T_aligned) <
-      kClearlyMore * alignment.agreeing(projected, scan.T_map_sensor))
-    return;
-  scan.view.move(T_aligned * scan.T_map_sensor.inverse());
-  scan.T_map_sensor = T_aligned;
+  if (alignment.agreeing(projected, T_aligned) < kClearlyMore * alignment.agreeing(projected, T_map_sensor))
+    return T_map_sensor;
   jumps.any_taken_back = true;
+  return T_aligned;
 }
 
 Eigen::Isometry3d Mapper::State::realigned(const Scan& scan, const Eigen::Isometry3d& T_map_sensor) const {

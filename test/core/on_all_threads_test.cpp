@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include <atomic>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -35,6 +36,33 @@ TEST_F(OnAllThreads, EveryPieceIsDoneOnceAndSeenAfterwards) {
     });
     EXPECT_EQ(afterwards, std::vector<int>(count, 2));
   }
+}
+
+// Both wait for the other, which a single thread would do for ever.
+TEST_F(OnAllThreads, TwoWorksGoOnAtOnce) {
+  std::atomic<int> begun{0};
+  const auto meet = [&begun] {
+    for (++begun; begun < 2;) std::this_thread::yield();
+  };
+  std::vector<int> first(1000, 0), second(1000, 0);
+  const auto fill = [](std::vector<int>& with_ones) {
+    for_each_index(with_ones.size(), [&](std::size_t i) { ++with_ones[i]; });
+  };
+  arena_.run([&] {
+    at_once([&] { meet(), fill(first); }, [&] { meet(), fill(second); });
+    EXPECT_EQ(first, std::vector<int>(1000, 1));
+    EXPECT_EQ(second, first);
+  });
+}
+
+TEST_F(OnAllThreads, OneThreadDoesOneWorkAfterTheOther) {
+  std::vector<std::string> done;
+  WorkerArena one(1);
+  one.run([&] {
+    at_once([&] { for_each_index(2, [&](std::size_t) { done.push_back("first"); }); },
+            [&] { done.push_back("second"); });
+  });
+  EXPECT_EQ(done, (std::vector<std::string>{"first", "first", "second"}));
 }
 
 TEST_F(OnAllThreads, ThreadSanitizerFindsARaceBetweenTwoPieces) {
