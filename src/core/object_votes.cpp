@@ -20,18 +20,24 @@ bool Votes::is_porous() const {
 }
 
 Reason Votes::verdict(float static_share) const {
-  constexpr float kDynamicShare = 0.1F, kDynamicMajority = 0.6F, kStaticMajority = 0.9F;
-  constexpr float kHalf = 0.5F;
+  constexpr float kStaticMajority = 0.9F, kHalf = 0.5F;
   const auto decided = static_cast<float>(dynamic + is_static);
   const auto all = static_cast<float>(rows);
   // First, for it is a sighting of its own: it takes along what only just turned static, and is followed.
   if (replaces_vanished()) return Reason::kReplacedVanished;
-  if (dynamic >= kFew && dynamic >= kDynamicShare * all && dynamic >= kDynamicMajority * decided)
-    return Reason::kObjectMoves;
+  if (enough_move()) return Reason::kObjectMoves;
   if (leaning >= kFew && leaning >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (followed >= kFew && followed >= kHalf * all && !known_before()) return Reason::kObjectMoves;
   if (is_static >= static_share * all && is_static >= kStaticMajority * decided) return Reason::kObjectStands;
   return Reason::kMixedEvidence;
+}
+
+// The more rows move, the less it takes that so many are no accident.
+bool Votes::enough_move() const {
+  constexpr int kSeveral = 10, kMany = 20;
+  const float of_all = dynamic >= kSeveral ? 0.05F : 0.1F, of_decided = dynamic >= kMany ? 0.5F : 0.6F;
+  return dynamic >= kFew && static_cast<float>(dynamic) >= of_all * static_cast<float>(rows) &&
+         static_cast<float>(dynamic) >= of_decided * static_cast<float>(dynamic + is_static);
 }
 
 // Hardly a return of what stands passes the vanish test: of something large and new, a tenth is enough.

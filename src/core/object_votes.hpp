@@ -60,6 +60,8 @@ struct Votes {
   bool known_before() const;
   /// Leaves and the like, of which now and then one is seen through.
   bool is_porous() const;
+  /// Enough of its rows move for the others to go with them.
+  bool enough_move() const;
   /// Enough of it lies right behind what vanished.
   bool replaces_vanished() const;
   /// kObjectMoves, kObjectStands, kReplacedVanished, or kMixedEvidence where there is no clear majority.

@@ -23,8 +23,12 @@ TEST(Votes, Verdict) {
       {"it leans, but it stood there before", {100, 0, 11, 11, 0, 0, 0, 60}, Reason::kMixedEvidence},
       {"all decided rows move", {100, 20, 0, 0, 0, 0, 0}, Reason::kObjectMoves},
       {"under a tenth of the rows moves", {100, 9, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
-      {"61 % of the decided rows move", {100, 61, 39, 0, 0, 0, 0}, Reason::kObjectMoves},
-      {"59 % do", {100, 59, 41, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"ten rows, which are a twentieth", {200, 10, 0, 0, 0, 0, 0}, Reason::kObjectMoves},
+      {"ten rows, which are less", {201, 10, 0, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"60 % of the decided rows move", {30, 18, 12, 0, 0, 0, 0}, Reason::kObjectMoves},
+      {"59 % do", {30, 19, 13, 0, 0, 0, 0}, Reason::kMixedEvidence},
+      {"many rows, half of the decided", {100, 20, 20, 0, 0, 0, 0}, Reason::kObjectMoves},
+      {"less than half of them", {100, 49, 50, 0, 0, 0, 0}, Reason::kMixedEvidence},
       {"half of it follows what moved", {100, 0, 0, 0, 50, 0, 0}, Reason::kObjectMoves},
       {"less than half does", {100, 0, 0, 0, 49, 0, 0}, Reason::kMixedEvidence},
       {"it follows, but it stood there before", {100, 0, 11, 11, 80, 0, 0}, Reason::kMixedEvidence},
@@ -52,6 +56,14 @@ TEST(Votes, AFewRowsOfWhatStandsDoNotMoveTheirPatch) {
   EXPECT_EQ(joint_verdict(vanished, standing), Reason::kReplacedVanished);
   EXPECT_EQ(joint_verdict(Votes{100, 0, 0, 0, 0, 0, 0}, moving), Reason::kObjectMoves)
       << "the patch says nothing";
+}
+
+TEST(Votes, WhatAPassingThingUncoversOfAKnownObjectStands) {
+  const Votes parked{1000, 0, 500, 150, 0, 0, 0}, walker{1000, 0, 500, 100, 0, 0, 0};
+  const Votes uncovered{100, 0, 16, 0, 0, 80, 60}, arrived{100, 0, 15, 0, 0, 80, 60};
+  EXPECT_EQ(joint_verdict(uncovered, parked), Reason::kObjectStands);
+  EXPECT_EQ(joint_verdict(uncovered, walker), Reason::kReplacedVanished) << "nothing there was known before";
+  EXPECT_EQ(joint_verdict(arrived, parked), Reason::kReplacedVanished) << "someone walks up to what stands";
 }
 
 TEST(Votes, AFewLeavesDoNotMoveTheOthers) {
