@@ -7,6 +7,7 @@ namespace stillmap {
 // moving thing is not the ground.
 void Mapper::State::take_feet_along() {
   constexpr float kSureM = 0.02F, kHighestM = 0.3F;  // above the ground
+  constexpr float kLowestM = -0.05F;                 // above what may be feet itself
   constexpr float kBesideM = 0.25F, kRightBelowM = 0.05F;
   if (moving_rows.empty()) return;
   // Above most of the ground nothing moves. What is settled here may lie above another foot.
@@ -15,7 +16,7 @@ void Mapper::State::take_feet_along() {
     if (labels.label[row] == Label::kDynamic) note_mover(row);
   find_rows(projected.size(), low_rows, [this](std::size_t row) {
     const float height_m = height_above_ground_m[row];
-    return (height_m > 0) & (height_m < kHighestM);
+    return (height_m > kLowestM) & (height_m < kHighestM);
   });
   low_pixels.resize(low_rows.size());
   for_rows(low_rows.size(), [this](std::size_t first, std::size_t last) {
@@ -25,7 +26,8 @@ void Mapper::State::take_feet_along() {
     const std::uint32_t row = low_rows[i];
     if (moves_above_pixel[low_pixels[i]] == 0) continue;
     if (!is_judged(row) || labels.label[row] == Label::kDynamic) continue;
-    const float height_m = height_above_ground_m[row];
+    const float height_m = upright.z_m[row] - ground.height_beside_m(upright.ground_cell[row]);
+    if (height_m <= 0) continue;
     const float beside_m = height_m > kSureM ? kBesideM : kRightBelowM;  // a sole, or the ground beside it
     const auto moves_right_above = [&](std::int32_t above) {
       const float dx_m = upright.x_m[above] - upright.x_m[row], dy_m = upright.y_m[above] - upright.y_m[row];

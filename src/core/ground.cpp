@@ -172,4 +172,27 @@ void Ground::heights_above(const UprightRows& rows, std::vector<float>& height_m
   });
 }
 
+float Ground::height_beside_m(int cell) const {
+  const int sector = cell / kRings, ring = cell % kRings;
+  // What the beams that were stopped would have hit lies as far away, or a little farther.
+  for (const int at_ring : {ring, std::min(ring + 1, kRings - 1), std::max(ring - 1, 0)}) {
+    const int left = lower_beside(sector, at_ring, -1), right = lower_beside(sector, at_ring, 1);
+    if (left >= 0 && right >= 0) return 0.5F * (height_[left] + height_[right]);
+  }
+  return height_[cell];
+}
+
+// What stands in a cell may reach into the next.
+int Ground::lower_beside(int sector, int ring, int step) const {
+  constexpr int kSectorsAway = 3, kCells = 2;
+  int lower = -1;
+  for (int away = 1, cells = 0; away <= kSectorsAway && cells < kCells; ++away) {
+    const int cell = (sector + away * step + kSectors) % kSectors * kRings + ring;
+    if (count_[cell] <= 0) continue;
+    ++cells;
+    if (lower < 0 || height_[cell] < height_[lower]) lower = cell;
+  }
+  return lower;
+}
+
 }  // namespace stillmap

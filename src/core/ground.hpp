@@ -28,6 +28,9 @@ class Ground {
 
   /// Height of each row above the ground below it; infinite beyond the last ring.
   void heights_above(const UprightRows& rows, std::vector<float>& height_m) const;
+  /// Height of the ground in a cell, as the returns left and right of it show: where a foot alone was hit, it
+  /// is taken for the ground.
+  float height_beside_m(int cell) const;
 
  private:
   struct Step {
@@ -40,11 +43,14 @@ class Ground {
   void forget_bump();
   static float between(const Step& a, const Step& b, int ring);
   void settle_on_returns(const UprightRows& rows);
+  /// Of the next two cells of a ring with returns close to the ground, `step` sectors at a time, the lower
+  /// one; or -1.
+  int lower_beside(int sector, int ring, int step) const;
 
   std::vector<float> lowest_, highest_;  ///< per sector and ring; kNothing and -kNothing = no return
   std::vector<float> height_;            ///< of the ground, for all of them
-  std::vector<float> sum_, count_;
-  std::vector<Step> steps_;  ///< of the present sector: where the walk met ground
+  std::vector<float> sum_, count_;       ///< of the returns that lie close to it
+  std::vector<Step> steps_;              ///< of the present sector: where the walk met ground
 };
 
 }  // namespace stillmap

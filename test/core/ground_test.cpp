@@ -131,6 +131,36 @@ TEST(Ground, ASideThatIsMetAboveUnseenGroundIsNotGround) {
   EXPECT_NEAR(heights_above(ground, {{20, 9, -1.7F}}, kUpright).front(), 0, 0.05);
 }
 
+// A thing 0.15 m wide and 6 cm high, which 16 rings meet once; behind it they meet the
+// ground in another cell.
+TEST(Ground, BesideAFootLiesTheGroundThatItHides) {
+  const Rings sensor{16, 1800, -15, 15};
+  constexpr float kHeightM = 1.6F, kFootM = 0.06F, kAwayM = 9.85F;
+  const Scan scan = sensor.scan([&](float azimuth, float elevation) {
+    const Eigen::Vector3f d = direction(azimuth, elevation);
+    const float ground_m = kHeightM / -d.z();
+    const Eigen::Vector3f at = kAwayM / d.x() * d;
+    const float above_m = at.z() + kHeightM;
+    if (d.x() > 0 && std::abs(at.y()) < 0.075F && above_m > 0 && above_m < kFootM) return at.norm();
+    return ground_m > 0 && ground_m < 60 ? ground_m : 0.0F;
+  });
+  const Ground ground = fitted_to(scan, kUpright);
+  UprightRows rows;
+  rows.turn(projected(scan), kUpright);
+  std::vector<float> heights_m;
+  ground.heights_above(rows, heights_m);
+  int feet = 0;
+  for (std::size_t row = 0; row < scan.points.size(); ++row) {
+    const Eigen::Vector3f& p = scan.points[row];
+    if (std::abs(p.x() - kAwayM) > 0.001F || std::abs(p.y()) >= 0.075F || rows.ground_cell[row] < 0) continue;
+    ++feet;
+    const float above_m = p.z() + kHeightM;
+    EXPECT_LT(heights_m[row], 0.02F) << "taken for the ground";
+    EXPECT_NEAR(p.z() - ground.height_beside_m(rows.ground_cell[row]), above_m, 0.02F);
+  }
+  EXPECT_GT(feet, 2);
+}
+
 TEST(Ground, ATiltedSensorSeesTheSameGround) {
   const Eigen::Matrix3f R_map_sensor =
       Eigen::AngleAxisf(0.15F, Eigen::Vector3f(0.6F, 0.8F, 0)).toRotationMatrix();
