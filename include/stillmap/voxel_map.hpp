@@ -118,10 +118,6 @@ class VoxelMap {
   Eigen::Vector3d center_of(const VoxelKey& key) const {
     return (key.cast<double>().array() + 0.5) * voxel_size_m_;
   }
-  /// Height of the surface in a voxel.
-  double surface_z_m(const VoxelKey& key, const Voxel& voxel) const {
-    return (key.z() + static_cast<double>(voxel.surface_offset().z())) * voxel_size_m_;
-  }
 
   /// Index of the block, or -1.
   std::int64_t find_block(const BlockKey& key) const {

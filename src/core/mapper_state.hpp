@@ -206,8 +206,8 @@ struct Mapper::State : PresentScan {
   // relabelling.cpp
   bool overrules(const Voxel& voxel, Label label_of_map, Label label_online) const;
   /// `gates` may be nullptr.
-  void settle_by_map(ScanLabels& settled, std::size_t row, const Eigen::Vector3d& point_map_m,
-                     const Voxel& voxel, const StructureGates* gates) const;
+  void settle_by_map(ScanLabels& settled, std::size_t row, const VoxelKey& key, const Voxel& voxel,
+                     const StructureGates* gates) const;
   void settle_objects(ScanLabels& settled) const;
 
   // objects.cpp, patches.cpp, vanished.cpp, specks.cpp, arrivals.cpp

@@ -33,9 +33,9 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
       NeighbouringVoxels voxels(s.map);
       for (std::size_t row = first; row < last; ++row) {
         if (online.label[row] == Label::kInvalid || online.reason[row] == Reason::kOutOfRange) continue;
-        const Eigen::Vector3d point_map_m = T_aligned * scan.points[row].cast<double>();
-        const Voxel* const voxel = voxels.find(s.map.key_of(point_map_m));
-        if (voxel != nullptr) s.settle_by_map(settled, row, point_map_m, *voxel, gates ? &*gates : nullptr);
+        const VoxelKey key = s.map.key_of(T_aligned * scan.points[row].cast<double>());
+        const Voxel* const voxel = voxels.find(key);
+        if (voxel != nullptr) s.settle_by_map(settled, row, key, *voxel, gates ? &*gates : nullptr);
       }
     });
   });
@@ -43,10 +43,8 @@ ScanLabels Mapper::relabel(const Scan& scan, const Eigen::Isometry3d& T_map_sens
   return settled;
 }
 
-void Mapper::State::settle_by_map(ScanLabels& settled, std::size_t row, const Eigen::Vector3d& point_map_m,
+void Mapper::State::settle_by_map(ScanLabels& settled, std::size_t row, const VoxelKey& key,
                                   const Voxel& voxel, const StructureGates* gates) const {
-  constexpr double kOffSurfaceM = 0.02;
-  const VoxelKey key = map.key_of(point_map_m);
   const float p = p_static[voxel.log_odds_fixed];
   const Label label = decision(p), online = settled.label[row];
   if (gates != nullptr && label == Label::kDynamic && !gates->dynamic_may_stand(key)) {
@@ -55,9 +53,9 @@ void Mapper::State::settle_by_map(ScanLabels& settled, std::size_t row, const Ei
     return;
   }
   if (!overrules(voxel, label, online)) return;
-  // The map speaks of the surface in the voxel; a foot above the ground there is not of it.
-  const bool above = point_map_m.z() - map.surface_z_m(key, voxel) > kOffSurfaceM;
-  if (parameters.take_feet_along && online == Label::kDynamic && above) return;
+  // The map speaks of the ground, on which there was a foot.
+  const bool is_foot = settled.reason[row] == Reason::kObjectMoves && settled.object[row] == kNoObject;
+  if (parameters.take_feet_along && online == Label::kDynamic && is_foot) return;
   settled.label[row] = label;
   settled.reason[row] = label == Label::kStatic ? Reason::kSupported : Reason::kSeenThroughLater;
   settled.p_static[row] = parameters.calibrate_p_static ? calibration(settled.reason[row], p) : p;
