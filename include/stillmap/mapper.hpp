@@ -19,8 +19,8 @@ enum class Stage { kRangeImage, kInsertion, kEvidence, kReplay, kDecision, kObje
 inline constexpr int kStageCount = 7;
 const char* to_string(Stage stage);
 
-/// The core has no clock: a listener may keep one. With several threads the objects of a scan are found beside
-/// its insertion, replay and decision, and counted there.
+/// The core has no clock: a listener may keep one. With several threads the objects of a scan are found
+/// beside its insertion, replay and decision, and counted there.
 class StageListener {
  public:
   virtual ~StageListener() = default;
