@@ -45,7 +45,8 @@ STILLMAP_VECTOR_CLONES void find_bins(std::size_t n, const float* __restrict ang
     const int whole = static_cast<int>(at);
     const int found = whole - (at < static_cast<float>(whole) ? 1 : 0) - first;  // std::floor is a call
     const auto scattered = static_cast<int>((static_cast<std::uint32_t>(found) * 2654435769U) >> 16);
-    bin[i] = (range_m[i] > 0) & (scattered < looked_at) ? found : kNoBin;
+    const bool counts = (range_m[i] > 0) & (scattered < looked_at);
+    bin[i] = counts ? found : kNoBin;
   }
 }
 
